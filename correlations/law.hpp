@@ -1,0 +1,40 @@
+#pragma once
+
+#include <limits>
+#include <string_view>
+
+namespace slfb {
+
+/// Closed interval in which a source states (or measured) its law to hold.
+struct Range {
+  double lower = 0.0;
+  double upper = std::numeric_limits<double>::infinity();
+  [[nodiscard]] constexpr bool contains(double value) const { return value >= lower && value <= upper; }
+};
+
+/// How the printed form of a law came to us.
+enum class Confidence {
+  read,           ///< read in a source that quotes or implements the paper
+  recalled,       ///< common knowledge of the field; no source opened
+  derived,        ///< derived from first principles or settled by a limit
+  reconstructed,  ///< the original is not at hand; a labelled stand-in
+};
+
+enum class LawKind { drag, single_sphere_drag, fluidisation, terminal_velocity, classification, collision_force,
+                     radial_distribution, collision_frequency };
+
+/// What a reader needs to know of a law besides its formula.
+struct LawInfo {
+  std::string_view name;        ///< "author-year", lower case, as on the command line
+  LawKind kind;
+  std::string_view title;       ///< one line for lists
+  std::string_view equation;    ///< the formula in plain text
+  std::string_view source;      ///< key in reference-data/references.bib
+  std::string_view convention;  ///< which Reynolds number, which velocity, model A or B
+  Range reynolds;               ///< range of the Reynolds number named in `convention` [-]
+  Range voidage;                ///< range of the voidage [-]
+  Confidence confidence;
+  std::string_view note = "";
+};
+
+}  // namespace slfb

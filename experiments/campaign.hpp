@@ -1,0 +1,42 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "solver/io/run_result.hpp"
+#include "solver/scene/scene_file.hpp"
+
+namespace slfb {
+
+/// One simulation that figures share: a scene file and what a profile changes in it.
+struct RunSpec {
+  std::string system;           ///< "6in5W": foreign 6 mm in bed of 5 mm, water
+  double superficial_velocity;  ///< U_L [m/s]
+  std::string variant;          ///< "" for the default drag law of the profile, else what differs ("di-felice-1994")
+  std::filesystem::path scene;  ///< relative to experiments/scenes
+  Overrides overrides;
+};
+
+/// The runs of a profile ("quick", "full") and what sets it apart from the paper, from experiments/profiles.toml.
+struct Profile {
+  std::string name;
+  std::vector<std::string> differences;  ///< sentences, shown on each figure
+  std::vector<RunSpec> runs;
+};
+Profile load_profile(const std::string& name);
+
+/// A finished run with the specification it answers.
+struct FinishedRun {
+  RunSpec spec;
+  Scene scene;
+  RunResult result;
+  bool published = false;  ///< read from the committed results rather than from this machine
+  bool stale = false;      ///< made by an older numerics version
+};
+
+/// Finished runs of a profile: first this machine's (`out`/runs), then the committed ones (reports/published/runs).
+std::vector<FinishedRun> finished_runs(const Profile& profile, const std::filesystem::path& out);
+
+}  // namespace slfb

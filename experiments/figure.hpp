@@ -1,0 +1,39 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "experiments/campaign.hpp"
+#include "experiments/measurement.hpp"
+
+namespace slfb {
+
+/// Everything a figure may use.
+struct FigureContext {
+  const Profile& profile;
+  const std::vector<FinishedRun>& runs;
+  const Measurements& measurements;
+  std::filesystem::path out;  ///< folder of the figure's files
+};
+
+/// What a figure left behind: ID.svg, ID.png, ID.pdf, one or more CSV, ID.gp (the gnuplot script that redraws it).
+struct FigureOutput {
+  std::string id;
+  std::vector<std::filesystem::path> data;
+  std::string caption;             ///< what is shown, and what is not known
+  std::vector<std::string> notes;  ///< profile differences, missing runs
+};
+
+/// One figure of the paper: a folder experiments/figNN_…/ with its code and README.
+struct Figure {
+  std::string id;                            ///< "fig05"
+  std::string title;
+  std::vector<std::string> (*needs)(const Profile&);  ///< "system/U_L[/variant]" of the runs it draws
+  FigureOutput (*draw)(const FigureContext&);
+};
+
+/// All figures in the order of the paper; adding one is one line in figures.cpp.
+const std::vector<Figure>& figures();
+
+}  // namespace slfb
