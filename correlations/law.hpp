@@ -20,12 +20,23 @@ enum class Confidence {
   reconstructed,  ///< the original is not at hand; a labelled stand-in
 };
 
-enum class LawKind { drag, single_sphere_drag, fluidisation, terminal_velocity, classification, collision_force,
-                     radial_distribution, collision_frequency };
+/// What a law answers, and with it which arguments it takes.
+enum class LawKind {
+  drag,                  ///< drag of one sphere in a suspension over Stokes drag
+  single_sphere_drag,    ///< drag of one sphere alone over Stokes drag
+  wall_correction,       ///< terminal velocity in a tube over that in unbounded liquid
+  minimum_fluidisation,  ///< superficial velocity at which a packed bed fluidises
+  expansion_exponent,    ///< n of Richardson and Zaki's U = U_i ε^n
+  classification,        ///< settling velocity of a foreign sphere through a fluidised bed
+  collision_force,       ///< mean collision force on a foreign sphere over its weight
+  radial_distribution,   ///< g_0, the pair distribution of spheres at contact
+  collision_frequency,   ///< collisions per sphere and time, made dimensionless
+  restitution,           ///< rebound speed over impact speed in a liquid, over the dry value
+};
 
 /// What a reader needs to know of a law besides its formula.
 struct LawInfo {
-  std::string_view name;        ///< "author-year", lower case, as on the command line
+  std::string_view name;  ///< "author-year", lower case, as on the command line
   LawKind kind;
   std::string_view title;       ///< one line for lists
   std::string_view equation;    ///< the formula in plain text

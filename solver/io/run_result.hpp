@@ -16,7 +16,7 @@ struct BedSeries {
   std::vector<double> pressure_drop;          ///< inlet minus outlet, static head removed [Pa]
   std::vector<double> centre_of_mass_height;  ///< of the bed particles [m]
   std::vector<double> bed_top;                ///< 99th percentile of the bed particles' centre heights [m]
-  std::vector<double> fluctuating_energy;     ///< q_p² = 3/2 u'² (Eq. 39), u'² the mean per-component variance [m²/s²]
+  std::vector<double> fluctuating_energy;  ///< q_p² = 3/2 u'² (Eq. 39), u'² the mean per-component variance [m²/s²]
   std::vector<double> contacts_per_particle;  ///< mean coordination number [-]
   std::vector<double> maximum_overlap;        ///< largest overlap over particle radius [-]
   std::vector<double> foreign_present;        ///< 1 while a dropped sphere is in the column, else 0
@@ -24,50 +24,51 @@ struct BedSeries {
 
 /// History of one dropped sphere; all vectors have the same length. Time 0 is its release.
 struct DropSeries {
-  double release_time = 0.0;                  ///< on the clock of BedSeries [s]
-  double bottom_time = -1.0;                  ///< first touch of the distributor, after release [s]; -1: never
+  double release_time = 0.0;  ///< on the clock of BedSeries [s]
+  double bottom_time = -1.0;  ///< first touch of the distributor, after release [s]; -1: never
   std::string species;
-  std::vector<double> time;                   ///< [s]
-  std::vector<double> x, y, z;                ///< centre [m]
+  std::vector<double> time;                                ///< [s]
+  std::vector<double> x, y, z;                             ///< centre [m]
   std::vector<double> velocity_x, velocity_y, velocity_z;  ///< [m/s]
-  std::vector<double> angular_speed;          ///< [rad/s]
-  std::vector<double> voidage;                ///< at the particle [-]
-  std::vector<double> liquid_velocity_z;      ///< interstitial, at the particle [m/s]
-  std::vector<double> reynolds;               ///< Eq. 25 [-]
-  std::vector<double> contact_force;          ///< |F_c|, magnitude of the resultant contact force, instantaneous [N]
-  std::vector<double> contact_force_mean_x, contact_force_mean_y, contact_force_mean_z;  ///< mean over the sampling interval [N]
-  std::vector<double> drag_force_z;           ///< [N]
-  std::vector<double> pressure_force_z;       ///< -V ∂p/∂z, static part included [N]
-  std::vector<double> contacts;               ///< spheres in contact now [-]
-  std::vector<double> cumulative_contacts;    ///< new contacts since release [-]
+  std::vector<double> angular_speed;                       ///< [rad/s]
+  std::vector<double> voidage;                             ///< at the particle [-]
+  std::vector<double> liquid_velocity_z;                   ///< interstitial, at the particle [m/s]
+  std::vector<double> reynolds;                            ///< Eq. 25 [-]
+  std::vector<double> contact_force;  ///< |F_c|, magnitude of the resultant contact force, instantaneous [N]
+  std::vector<double> contact_force_mean_x, contact_force_mean_y,
+      contact_force_mean_z;                 ///< mean over the sampling interval [N]
+  std::vector<double> drag_force_z;         ///< [N]
+  std::vector<double> pressure_force_z;     ///< -V ∂p/∂z, static part included [N]
+  std::vector<double> contacts;             ///< spheres in contact now [-]
+  std::vector<double> cumulative_contacts;  ///< new contacts since release [-]
 };
 
 /// Void fraction in the plane y = 0 at one instant, row after row from the bottom.
 struct PlaneField {
-  double time = 0.0;                          ///< [s]
-  std::vector<double> x, z;                   ///< cell-centre coordinates [m]
-  std::vector<double> voidage;                ///< size x.size() * z.size(), index = iz * x.size() + ix; NaN outside
-  std::vector<double> velocity_x, velocity_z; ///< interstitial liquid velocity at the cell centres [m/s]
+  double time = 0.0;                           ///< [s]
+  std::vector<double> x, z;                    ///< cell-centre coordinates [m]
+  std::vector<double> voidage;                 ///< size x.size() * z.size(), index = iz * x.size() + ix; NaN outside
+  std::vector<double> velocity_x, velocity_z;  ///< interstitial liquid velocity at the cell centres [m/s]
 };
 
 struct RunResult {
-  std::string name;                           ///< hash of the scene and the numerics version
-  std::string scene_text;                     ///< canonical TOML of the scene, every value in SI
+  std::string name;        ///< hash of the scene and the numerics version
+  std::string scene_text;  ///< canonical TOML of the scene, every value in SI
   int numerics = numerics_version;
   std::string suite_version;
   std::string machine;
-  std::string date;                           ///< ISO 8601, UTC
+  std::string date;  ///< ISO 8601, UTC
   int threads = 1;
   double wall_seconds = 0.0;
   double cpu_seconds = 0.0;
   double simulated_seconds = 0.0;
   std::int64_t particle_steps = 0;
-  std::int64_t particles_removed = 0;         ///< through the outlet
-  double packed_voidage = 0.0;                ///< of the settled bed, from twice its centre of mass [-]
-  double packed_height = 0.0;                 ///< twice the centre of mass of the settled bed [m]
+  std::int64_t particles_removed = 0;  ///< through the outlet
+  double packed_voidage = 0.0;         ///< of the settled bed, from twice its centre of mass [-]
+  double packed_height = 0.0;          ///< twice the centre of mass of the settled bed [m]
   BedSeries bed;
   std::vector<DropSeries> drops;
-  PlaneField plane;                           ///< at the end of the fluidise stage
+  PlaneField plane;  ///< at the end of the fluidise stage
 };
 
 /// Writes `result` to an HDF5 file: one group per series, attribute `unit` on each data set, scene text,

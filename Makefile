@@ -1,0 +1,47 @@
+# Two front doors: `make figures` and `make test`. Each installs what is missing, configures, builds and runs.
+
+JOBS ?= $(shell nproc)
+PROFILE ?= quick
+SOURCES = git ls-files --cached --others --exclude-standard '*.cpp' '*.hpp'
+
+.PHONY: help figures test build install format lint debug asan tsan
+
+help:
+	@echo "make figures  the figures of the paper and the report (PROFILE=quick or full)"
+	@echo "make test     all tests"
+	@echo "make build    build/slfb and the tests"
+	@echo "make install  the Debian packages that are missing (.ci/packages.txt)"
+	@echo "make format   lay out the code"
+	@echo "make lint     layout and static checks"
+	@echo "make debug    all tests without optimisation; asan, tsan: with the sanitizers"
+
+figures: build
+	build/slfb figures --profile $(PROFILE)
+	@if [ -z "$$CI" ] && [ -n "$$DISPLAY$$WAYLAND_DISPLAY" ] && command -v xdg-open >/dev/null; then \
+	  xdg-open build/report/index.html >/dev/null 2>&1 || true; \
+	fi
+
+test: build
+	ctest --preset release --parallel $(JOBS)
+
+build: install
+	cmake --preset release
+	cmake --build --preset release --parallel $(JOBS)
+
+install:
+	@.ci/install build
+
+debug asan tsan:
+	@.ci/install build $(if $(filter tsan,$@),tools)
+	cmake --preset $@
+	cmake --build --preset $@ --parallel $(JOBS)
+	ctest --preset $@ --parallel $(JOBS)
+
+format:
+	@.ci/install tools
+	$(SOURCES) | xargs clang-format -i
+
+lint: build
+	@.ci/install tools
+	$(SOURCES) | xargs clang-format --dry-run --Werror
+	run-clang-tidy -quiet -p build -j $(JOBS) '$(CURDIR)/(correlations|solver|experiments|reports|tests)/'

@@ -1,0 +1,256 @@
+#include "correlations/catalogue.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <stdexcept>
+
+#include "correlations/classification/classification_laws.hpp"
+#include "correlations/collision/collision_laws.hpp"
+#include "correlations/collision/stokes_number.hpp"
+#include "correlations/drag/drag_laws.hpp"
+#include "correlations/drag/single_sphere/single_sphere_laws.hpp"
+#include "correlations/fluidisation/fluidisation_laws.hpp"
+#include "correlations/fluidisation/terminal_velocity.hpp"
+#include "correlations/law_list.hpp"
+
+namespace slfb {
+
+namespace {
+
+constexpr std::array arguments{
+    Argument{"voidage", "1", "liquid volume fraction", &LawArguments::voidage, false, 1.0},
+    Argument{"re", "1", "Reynolds number as the law defines it", &LawArguments::reynolds, true},
+    Argument{"diameter", "m", "diameter of the (bed) particle", &LawArguments::diameter},
+    Argument{"particle_density", "kg/m3", "density of the (bed) particle", &LawArguments::particle_density},
+    Argument{"foreign_diameter", "m", "diameter of the foreign particle", &LawArguments::foreign_diameter},
+    Argument{"foreign_density", "kg/m3", "density of the foreign particle", &LawArguments::foreign_density},
+    Argument{"density", "kg/m3", "density of the liquid", &LawArguments::liquid_density},
+    Argument{"viscosity", "Pa s", "viscosity of the liquid", &LawArguments::viscosity},
+    Argument{"superficial_velocity", "m/s", "superficial liquid velocity U_L", &LawArguments::superficial_velocity},
+    Argument{"settling_velocity", "m/s", "settling velocity V2 of the foreign particle",
+             &LawArguments::settling_velocity, true},
+    Argument{"column_diameter", "m", "inner diameter of the column", &LawArguments::column_diameter},
+    Argument{"kinetic_energy", "m2/s2", "q2 = 3/2 <u_p^2> of one velocity component", &LawArguments::kinetic_energy},
+    Argument{"impact_speed", "m/s", "speed of the particle at impact", &LawArguments::impact_speed},
+    Argument{"roughness", "m", "height of the surface roughness", &LawArguments::roughness},
+};
+
+// One function object per kind turns the arguments into what its laws take, and their answer into named quantities.
+
+constexpr auto evaluate_drag = [](const auto& law, const LawArguments& a) {
+  const double drag = law(drag::SuspensionFlow{a.voidage, a.reynolds});
+  const double slip = a.reynolds * a.viscosity / (a.liquid_density * a.voidage * a.diameter);
+  return Evaluation{{{"dimensionless_drag", drag, "1"},
+                     {"beta", drag::exchange_coefficient(drag, a.voidage, a.diameter, a.viscosity), "kg/(m3 s)"},
+                     {"slip_velocity", slip, "m/s"}},
+                    a.reynolds};
+};
+
+constexpr auto evaluate_single_sphere = [](const auto& law, const LawArguments& a) {
+  return Evaluation{{{"drag_coefficient", drag::single_sphere::drag_coefficient(law, a.reynolds), "1"},
+                     {"dimensionless_drag", law(a.reynolds), "1"},
+                     {"terminal_velocity", fluidisation::terminal_velocity(law, a.particle(), a.liquid()), "m/s"}},
+                    a.reynolds};
+};
+
+// Laws that need the terminal velocity of the bed particle but do not say which drag coefficient it comes from.
+double terminal_reynolds(const LawArguments& a) {
+  const double velocity =
+      fluidisation::terminal_velocity(drag::single_sphere::BrownLawler2003{}, a.particle(), a.liquid());
+  return reynolds_number(a.liquid(), a.diameter, velocity);
+}
+
+constexpr auto evaluate_wall_correction = [](const auto& law, const LawArguments& a) {
+  const double reynolds = terminal_reynolds(a);
+  return Evaluation{{{"velocity_ratio", law(a.diameter / a.column_diameter), "1"}, {"reynolds", reynolds, "1"}},
+                    reynolds};
+};
+
+constexpr auto evaluate_minimum_fluidisation = [](const auto& law, const LawArguments& a) {
+  const double velocity = law(fluidisation::PackedBed{a.particle(), a.liquid(), a.voidage});
+  const double reynolds = reynolds_number(a.liquid(), a.diameter, velocity);
+  return Evaluation{{{"minimum_fluidisation_velocity", velocity, "m/s"}, {"reynolds", reynolds, "1"}}, reynolds};
+};
+
+constexpr auto evaluate_expansion_exponent = [](const auto& law, const LawArguments& a) {
+  const fluidisation::ExpansionConditions conditions{terminal_reynolds(a), archimedes_number(a.particle(), a.liquid()),
+                                                     a.diameter / a.column_diameter};
+  return Evaluation{{{"expansion_exponent", law(conditions), "1"}, {"reynolds", conditions.terminal_reynolds, "1"}},
+                    conditions.terminal_reynolds};
+};
+
+constexpr auto evaluate_classification = [](const auto& law, const LawArguments& a) {
+  const ForeignSphereInBed state = a.foreign_sphere_in_bed();
+  const double velocity = law(state);
+  const double slip = velocity + state.interstitial_velocity();
+  const double reynolds = reynolds_number(state.liquid, state.foreign.diameter, slip);
+  Evaluation answer{
+      {{"settling_velocity", velocity, "m/s"}, {"slip_velocity", slip, "m/s"}, {"reynolds", reynolds, "1"}}, reynolds};
+  if constexpr (requires { law.band(state); }) {
+    const auto band = law.band(state);
+    answer.quantities.push_back({"settling_velocity_lower", band.lower, "m/s"});
+    answer.quantities.push_back({"settling_velocity_upper", band.upper, "m/s"});
+  }
+  return answer;
+};
+
+constexpr auto evaluate_collision_force = [](const auto& law, const LawArguments& a) {
+  const ForeignSphereInBed state = a.foreign_sphere_in_bed();
+  const double over_weight = law(state, a.settling_velocity);
+  Evaluation answer{{{"force_over_weight", over_weight, "1"}, {"force", over_weight * state.foreign.weight(), "N"}}};
+  if constexpr (requires { law.band(state); }) {
+    const auto band = law.band(state);
+    answer.quantities.push_back({"force_over_weight_lower", band.lower, "1"});
+    answer.quantities.push_back({"force_over_weight_upper", band.upper, "1"});
+  }
+  return answer;
+};
+
+constexpr auto evaluate_radial_distribution = [](const auto& law, const LawArguments& a) {
+  return Evaluation{{{"contact_value", law(1.0 - a.voidage), "1"}}};
+};
+
+constexpr auto evaluate_collision_frequency = [](const auto& law, const LawArguments& a) {
+  const double solids = 1.0 - a.voidage;
+  const collision::CollisionState state{.solids = solids,
+                                        .bed_diameter = a.diameter,
+                                        .foreign_diameter = a.foreign_diameter,
+                                        .kinetic_energy = a.kinetic_energy,
+                                        .relative_velocity = a.settling_velocity,
+                                        .contact_value = collision::LunSavage1986{}(solids)};
+  const double frequency = law(state);
+  return Evaluation{{{"collision_frequency", frequency, "1/s"},
+                     {"dimensionless_frequency", collision::dimensionless_frequency(frequency, state), "1"},
+                     {"stokes_number", collision::stokes_number(a.particle(), a.liquid(), a.kinetic_energy), "1"}}};
+};
+
+constexpr auto evaluate_restitution = [](const auto& law, const LawArguments& a) {
+  return Evaluation{{{"restitution_over_dry",
+                      law(collision::WetImpact{a.particle(), a.liquid(), a.impact_speed, a.roughness}), "1"}}};
+};
+
+template <class Laws, class Evaluate>
+void add(std::vector<CatalogueEntry>& entries, Evaluate) {
+  for_each_law<Laws>([&]<class Law>(const Law&) {
+    entries.push_back({Law::info, [](const LawArguments& a) { return Evaluate{}(Law{}, a); }});
+  });
+}
+
+std::vector<CatalogueEntry> make_catalogue() {
+  std::vector<CatalogueEntry> entries;
+  add<drag::DragLaws>(entries, evaluate_drag);
+  add<drag::single_sphere::SingleSphereLaws>(entries, evaluate_single_sphere);
+  add<fluidisation::WallCorrectionLaws>(entries, evaluate_wall_correction);
+  add<fluidisation::MinimumFluidisationLaws>(entries, evaluate_minimum_fluidisation);
+  add<fluidisation::ExpansionExponentLaws>(entries, evaluate_expansion_exponent);
+  add<classification::ClassificationLaws>(entries, evaluate_classification);
+  add<collision::CollisionForceLaws>(entries, evaluate_collision_force);
+  add<collision::RadialDistributionLaws>(entries, evaluate_radial_distribution);
+  add<collision::CollisionFrequencyLaws>(entries, evaluate_collision_frequency);
+  add<collision::RestitutionLaws>(entries, evaluate_restitution);
+  return entries;
+}
+
+std::vector<std::string_view> argument_names(LawKind kind) {
+  switch (kind) {
+    case LawKind::drag:
+      return {"voidage", "re", "diameter", "density", "viscosity"};
+    case LawKind::single_sphere_drag:
+      return {"re", "diameter", "particle_density", "density", "viscosity"};
+    case LawKind::wall_correction:
+    case LawKind::expansion_exponent:
+      return {"diameter", "particle_density", "density", "viscosity", "column_diameter"};
+    case LawKind::minimum_fluidisation:
+      return {"voidage", "diameter", "particle_density", "density", "viscosity"};
+    case LawKind::classification:
+      return {"voidage",          "superficial_velocity", "diameter", "particle_density",
+              "foreign_diameter", "foreign_density",      "density",  "viscosity"};
+    case LawKind::collision_force:
+      return {"voidage",          "settling_velocity", "diameter", "particle_density",
+              "foreign_diameter", "foreign_density",   "density",  "viscosity"};
+    case LawKind::radial_distribution:
+      return {"voidage"};
+    case LawKind::collision_frequency:
+      return {"voidage",          "settling_velocity", "kinetic_energy", "diameter",
+              "particle_density", "foreign_diameter",  "density",        "viscosity"};
+    case LawKind::restitution:
+      return {"impact_speed", "diameter", "particle_density", "roughness", "density", "viscosity"};
+  }
+  throw std::logic_error("a kind of law without arguments");
+}
+
+}  // namespace
+
+std::span<const Argument> all_arguments() { return arguments; }
+
+std::vector<const Argument*> arguments_of(LawKind kind) {
+  std::vector<const Argument*> found;
+  for (const std::string_view name : argument_names(kind)) {
+    found.push_back(std::ranges::find(arguments, name, &Argument::name));
+  }
+  return found;
+}
+
+const std::vector<CatalogueEntry>& catalogue() {
+  static const std::vector<CatalogueEntry> entries = make_catalogue();
+  return entries;
+}
+
+const CatalogueEntry& find_law(std::string_view name) {
+  std::string known;
+  for (const CatalogueEntry& entry : catalogue()) {
+    if (entry.info.name == name) return entry;
+    known += (known.empty() ? "" : ", ") + std::string(entry.info.name);
+  }
+  throw std::invalid_argument("unknown law \"" + std::string(name) + "\"; known: " + known);
+}
+
+bool in_range(const LawInfo& info, const LawArguments& a, const Evaluation& evaluation) {
+  const std::vector<const Argument*> taken = arguments_of(info.kind);
+  const bool takes_voidage = std::ranges::find(taken, "voidage", &Argument::name) != taken.end();
+  return (!takes_voidage || info.voidage.contains(a.voidage)) &&
+         (std::isnan(evaluation.reynolds) || info.reynolds.contains(evaluation.reynolds));
+}
+
+std::string_view to_string(LawKind kind) {
+  switch (kind) {
+    case LawKind::drag:
+      return "drag";
+    case LawKind::single_sphere_drag:
+      return "single-sphere-drag";
+    case LawKind::wall_correction:
+      return "wall-correction";
+    case LawKind::minimum_fluidisation:
+      return "minimum-fluidisation";
+    case LawKind::expansion_exponent:
+      return "expansion-exponent";
+    case LawKind::classification:
+      return "classification";
+    case LawKind::collision_force:
+      return "collision-force";
+    case LawKind::radial_distribution:
+      return "radial-distribution";
+    case LawKind::collision_frequency:
+      return "collision-frequency";
+    case LawKind::restitution:
+      return "restitution";
+  }
+  throw std::logic_error("a kind of law without a name");
+}
+
+std::string_view to_string(Confidence confidence) {
+  switch (confidence) {
+    case Confidence::read:
+      return "read";
+    case Confidence::recalled:
+      return "recalled";
+    case Confidence::derived:
+      return "derived";
+    case Confidence::reconstructed:
+      return "reconstructed";
+  }
+  throw std::logic_error("a confidence without a name");
+}
+
+}  // namespace slfb

@@ -1,0 +1,92 @@
+#pragma once
+
+#include <limits>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "correlations/foreign_sphere.hpp"
+#include "correlations/law.hpp"
+
+namespace slfb {
+
+/// Every argument that some law takes, in SI units. The defaults are the bed of Peng 2014, Table 1 (5 mm glass of
+/// 2230 kg/m³, 6 mm steel, water) at the first voidage of its Fig. 13.
+struct LawArguments {
+  double voidage = 0.46;               ///< ε [-]
+  double reynolds = 100.0;             ///< Re as the law defines it [-]
+  double diameter = 5e-3;              ///< d_1, bed particle [m]
+  double particle_density = 2230.0;    ///< ρ_1 [kg/m³]
+  double foreign_diameter = 6e-3;      ///< d_2 [m]
+  double foreign_density = 7800.0;     ///< ρ_2 [kg/m³]
+  double liquid_density = 998.2;       ///< ρ [kg/m³]
+  double viscosity = 1e-3;             ///< μ [Pa s]
+  double superficial_velocity = 0.06;  ///< U_L [m/s]
+  double settling_velocity = 0.097;    ///< V_2 [m/s]; Table 2 of Peng 2014 at U_L = 0.06 m/s
+  double column_diameter = 0.05;       ///< D [m]
+  double kinetic_energy = 1e-3;        ///< q_p² [m²/s²]; lower end of Fig. 18 of Peng 2014
+  double impact_speed = 0.1;           ///< [m/s]
+  double roughness = 1e-6;             ///< [m]; assumed, of the order of polished glass
+
+  [[nodiscard]] Sphere particle() const { return {diameter, particle_density}; }
+  [[nodiscard]] Sphere foreign() const { return {foreign_diameter, foreign_density}; }
+  [[nodiscard]] LiquidProperties liquid() const { return {liquid_density, viscosity}; }
+  [[nodiscard]] ForeignSphereInBed foreign_sphere_in_bed() const {
+    return {particle(), foreign(), liquid(), voidage, superficial_velocity};
+  }
+};
+
+/// One argument as a user meets it.
+struct Argument {
+  std::string_view name;  ///< "voidage"; the command line writes "--voidage", with '-' for '_'
+  std::string_view unit;
+  std::string_view meaning;
+  double LawArguments::*value;
+  bool zero_allowed = false;
+  double upper = std::numeric_limits<double>::infinity();  ///< largest value allowed
+  [[nodiscard]] bool allows(double x) const {
+    return (x > 0.0 || (zero_allowed && x == 0.0)) && x <= upper && x < std::numeric_limits<double>::infinity();
+  }
+};
+
+/// Every argument, in the order of LawArguments.
+std::span<const Argument> all_arguments();
+
+/// The arguments that laws of a kind take.
+std::vector<const Argument*> arguments_of(LawKind kind);
+
+/// A named number that a law gives.
+struct Quantity {
+  std::string_view name;
+  double value;
+  std::string_view unit;
+};
+
+/// What a law answers to a set of arguments.
+struct Evaluation {
+  std::vector<Quantity> quantities;
+  /// Re of the answer, to compare with the range of the law [-]; not a number where the law knows no Re.
+  double reynolds = std::numeric_limits<double>::quiet_NaN();
+};
+
+/// One law of the catalogue.
+struct CatalogueEntry {
+  LawInfo info;
+  Evaluation (*evaluate)(const LawArguments& arguments);
+};
+
+/// Every law of the suite, kind by kind.
+const std::vector<CatalogueEntry>& catalogue();
+
+/// The law of that name.
+/// \throws std::invalid_argument naming the unknown law and listing the known ones
+const CatalogueEntry& find_law(std::string_view name);
+
+/// Whether the voidage and the Reynolds number lie in the range that the source states.
+bool in_range(const LawInfo& info, const LawArguments& arguments, const Evaluation& evaluation);
+
+std::string_view to_string(LawKind kind);
+std::string_view to_string(Confidence confidence);
+
+}  // namespace slfb

@@ -1,0 +1,25 @@
+#include "experiments/campaign.hpp"
+
+#include "experiments/run_files.hpp"
+
+namespace slfb {
+
+std::vector<FinishedRun> finished_runs(const Profile& profile, const std::filesystem::path& out) {
+  std::vector<FinishedRun> runs;
+  for (const RunSpec& spec : profile.runs) {
+    Scene scene = load_run_scene(spec);
+    const std::string hash = scene_hash(scene);
+    if (const auto own = result_file(out, hash); std::filesystem::exists(own)) {
+      runs.push_back({spec, std::move(scene), load_result(own), false, false});
+    } else if (const auto committed = published_file(spec); std::filesystem::exists(committed)) {
+      RunResult result = load_result(committed);
+      const bool stale = result.numerics != numerics_version || result.name != hash;
+      // An older result is analysed with the scene it was made from.
+      if (stale) scene = parse_scene(result.scene_text, committed.string());
+      runs.push_back({spec, std::move(scene), std::move(result), true, stale});
+    }
+  }
+  return runs;
+}
+
+}  // namespace slfb

@@ -1,0 +1,170 @@
+#include "experiments/commands/check.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <numeric>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "experiments/campaign.hpp"
+#include "experiments/claims.hpp"
+#include "experiments/measure.hpp"
+
+namespace slfb {
+namespace {
+
+constexpr const char* examples = R"(Examples:
+  slfb check                          every claim: paper, ours, verdict, gate
+  slfb check fig05 table2             the claims whose id begins so
+  slfb check --json                   the same as JSON on standard output
+  slfb check --junit gates.xml        a test case per regression band, for CI
+
+A verdict says whether the paper is reproduced; a gate says whether our own accepted value still stands. The exit
+status is 0 only when every gate of the chosen claims holds. Name claims before --json, which takes what follows it as
+its file. The rules are in reference-data/README.md.)";
+
+struct Options {
+  std::vector<std::string> ids;
+  std::string json = "-";
+  std::filesystem::path junit;
+  std::string profile = "quick";
+  std::filesystem::path out = SLFB_BUILD_DIR;
+};
+
+/// Insertions, deletions and replacements that lead from one word to the other (Levenshtein).
+std::size_t edit_distance(std::string_view a, std::string_view b) {
+  std::vector<std::size_t> row(b.size() + 1);
+  std::iota(row.begin(), row.end(), std::size_t{0});
+  for (std::size_t i = 1; i <= a.size(); ++i) {
+    std::size_t diagonal = row[0];
+    row[0] = i;
+    for (std::size_t j = 1; j <= b.size(); ++j) {
+      const std::size_t replaced = diagonal + (a[i - 1] == b[j - 1] ? 0 : 1);
+      diagonal = row[j];
+      row[j] = std::min({row[j] + 1, row[j - 1] + 1, replaced});
+    }
+  }
+  return row[b.size()];
+}
+
+/// The three known names nearest to `id`, those that contain it before the others, for a message.
+std::string close_names(const std::string& id, const std::vector<Claim>& claims) {
+  std::vector<std::pair<std::size_t, std::string>> names;
+  for (const Claim& claim : claims) {
+    for (const std::string& name : {claim.id, claim.figure}) {
+      names.emplace_back(name.find(id) != std::string::npos ? 0 : edit_distance(id, name), name);
+    }
+  }
+  std::sort(names.begin(), names.end());
+  names.erase(std::unique(names.begin(), names.end()), names.end());
+  std::string text;
+  for (std::size_t i = 0; i < std::min<std::size_t>(3, names.size()); ++i) {
+    text += (text.empty() ? "" : ", ") + names[i].second;
+  }
+  return text;
+}
+
+/// The claims whose id is or begins with one of `ids`; all when there are none.
+std::vector<Claim> choose(const std::vector<Claim>& claims, const std::vector<std::string>& ids) {
+  if (ids.empty()) return claims;
+  for (const std::string& id : ids) {
+    if (std::none_of(claims.begin(), claims.end(), [&](const Claim& claim) { return claim.id.starts_with(id); })) {
+      throw CLI::ValidationError("ID",
+                                 fmt::format("no claim begins with \"{}\"; close: {}", id, close_names(id, claims)));
+    }
+  }
+  std::vector<Claim> chosen;
+  std::copy_if(claims.begin(), claims.end(), std::back_inserter(chosen), [&](const Claim& claim) {
+    return std::any_of(ids.begin(), ids.end(), [&](const std::string& id) { return claim.id.starts_with(id); });
+  });
+  return chosen;
+}
+
+std::string ours_text(const Evaluation& evaluation) {
+  if (!evaluation.ours) return "";
+  std::string text = fmt::format("{:.4g}", *evaluation.ours);
+  if (evaluation.interval) {
+    const double half_width = 0.5 * (evaluation.interval->second - evaluation.interval->first);
+    if (half_width > 0.0) text += fmt::format(" ± {:.2g}", half_width);
+  }
+  return text;
+}
+
+void print_table(const std::vector<Evaluation>& evaluations) {
+  std::size_t id_width = 0, paper_width = 5;
+  for (const Evaluation& evaluation : evaluations) {
+    id_width = std::max(id_width, evaluation.claim.id.size());
+    if (evaluation.claim.kind != StatementKind::words) {
+      paper_width = std::max(paper_width, evaluation.claim.paper_text().size());
+    }
+  }
+  fmt::print("{:<{}}  {:>{}}  {:>20}  {:<6} {:>9}  {:<14}  {:<6}  {}\n", "claim", id_width, "paper", paper_width,
+             "ours", "unit", "deviation", "verdict", "gate", "reason");
+  for (const Evaluation& evaluation : evaluations) {
+    const Claim& claim = evaluation.claim;
+    const std::string paper = claim.kind == StatementKind::words ? "words" : claim.paper_text();
+    const std::string deviation =
+        evaluation.deviation ? fmt::format("{:+.1f} %", 100.0 * *evaluation.deviation) : std::string();
+    fmt::print("{:<{}}  {:>{}}  {:>20}  {:<6} {:>9}  {:<14}  {:<6}  {}\n", claim.id, id_width, paper, paper_width,
+               ours_text(evaluation), claim.unit, deviation, to_string(evaluation.verdict), to_string(evaluation.gate),
+               evaluation.reason);
+  }
+  const ClaimCounts counts = count(evaluations);
+  fmt::print("\n{} claims: {} reproduced, {} not reproduced, {} not decidable; gates: {} hold, {} broken\n",
+             evaluations.size(), counts.reproduced, counts.not_reproduced, counts.not_decidable, counts.gates_holding,
+             counts.gates_broken);
+}
+
+void write_file(const std::filesystem::path& file, const std::string& text) {
+  std::ofstream stream(file);
+  stream << text;
+  if (!stream.flush()) throw std::runtime_error(fmt::format("cannot write {}", file.string()));
+}
+
+/// Returns the exit status: 1 when a gate is broken.
+int check(const Options& options, bool json) {
+  const std::vector<Claim> claims = choose(load_claims(), options.ids);
+  Measurements measurements = measure_laws();
+  measurements.merge(measure_runs(finished_runs(load_profile(options.profile), options.out)));
+  const auto evaluations = evaluate(claims, measurements);
+
+  const bool json_to_stdout = json && options.json == "-";
+  if (json_to_stdout) {
+    fmt::print("{}\n", claims_json(evaluations).dump(2));
+  } else {
+    print_table(evaluations);
+  }
+  if (json && !json_to_stdout) write_file(options.json, claims_json(evaluations).dump(2) + "\n");
+  if (!options.junit.empty()) write_file(options.junit, claims_junit(evaluations));
+  return count(evaluations).gates_broken == 0 ? 0 : 1;
+}
+
+}  // namespace
+
+void add_check_command(CLI::App& app) {
+  auto options = std::make_shared<Options>();
+  CLI::App* command = app.add_subcommand("check", "Compare with the claims of the paper; fail when a gate is broken");
+  command->add_option("ID", options->ids, "claims, or what their ids begin with, such as fig05 (default: all)");
+  CLI::Option* json =
+      command->add_option("--json", options->json, "write JSON to FILE, or to standard output without one")
+          ->expected(0, 1)
+          ->option_text("[FILE]");
+  command->add_option("--junit", options->junit, "write JUnit XML of the gates to FILE")->option_text("FILE");
+  command->add_option("--profile", options->profile, "whose simulations to use: quick or full")->capture_default_str();
+  command->add_option("--out", options->out, "folder with runs/")->option_text("DIR");
+  command->footer(examples);
+  command->callback([options, json] {
+    if (options->json.empty()) options->json = "-";
+    const int status = check(*options, json->count() > 0);
+    if (status != 0) throw CLI::RuntimeError(status);
+  });
+}
+
+}  // namespace slfb

@@ -1,0 +1,132 @@
+#include "experiments/commands/figures.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <memory>
+#include <set>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "experiments/campaign.hpp"
+#include "experiments/claims.hpp"
+#include "experiments/figure.hpp"
+#include "experiments/inconsistencies.hpp"
+#include "experiments/measure.hpp"
+#include "experiments/run_campaign.hpp"
+#include "reports/report.hpp"
+
+namespace slfb {
+namespace {
+
+constexpr const char* examples = R"(Examples:
+  slfb figures                     simulate what is missing, draw every figure, write the report
+  slfb figures fig10 fig25         simulate only what these two need
+  slfb figures --no-run            draw with what exists; takes seconds
+  slfb figures --profile full      the settings of the full campaign; takes hours, may be interrupted
+  slfb figures --jobs 1 --threads 2   one simulation at a time on two cores
+
+Results are kept in DIR/runs and named by their scene: a second call simulates nothing twice, and after an
+interruption the same command goes on where it was. `slfb list` shows the figures and the runs of each profile.)";
+
+struct Options {
+  std::vector<std::string> ids;
+  std::string profile = "quick";
+  int jobs = 0;     // 0: as many as there are cores or runs
+  int threads = 0;  // 0: share the cores among the jobs
+  std::filesystem::path out = SLFB_BUILD_DIR;
+  bool no_run = false;
+};
+
+std::string known_ids() {
+  std::string text;
+  for (const auto& figure : figures()) text += (text.empty() ? "" : ", ") + figure.id;
+  return text;
+}
+
+/// The named figures, or all of them. Throws CLI::ValidationError listing the known ones on an unknown name.
+std::vector<const Figure*> choose(const std::vector<std::string>& ids) {
+  std::vector<const Figure*> chosen;
+  for (const auto& id : ids)
+    if (std::none_of(figures().begin(), figures().end(), [&](const Figure& figure) { return figure.id == id; }))
+      throw CLI::ValidationError("ID", fmt::format("there is no figure \"{}\"; known: {}", id, known_ids()));
+  for (const auto& figure : figures())
+    if (ids.empty() || std::find(ids.begin(), ids.end(), figure.id) != ids.end()) chosen.push_back(&figure);
+  return chosen;
+}
+
+std::vector<RunSpec> needed_runs(const std::vector<const Figure*>& chosen, const Profile& profile) {
+  std::set<std::string> keys;
+  for (const Figure* figure : chosen)
+    for (auto& key : figure->needs(profile)) keys.insert(std::move(key));
+  std::vector<RunSpec> needed;
+  for (const auto& spec : profile.runs)
+    if (keys.contains(run_key(spec))) needed.push_back(spec);
+  return needed;
+}
+
+CampaignOptions campaign_options(const Options& options, std::size_t runs) {
+  const int cores = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+  const int jobs = options.jobs > 0 ? options.jobs : std::clamp(static_cast<int>(runs), 1, cores);
+  const int threads = options.threads > 0 ? options.threads : std::max(1, cores / jobs);
+  return {.out = options.out, .jobs = jobs, .threads_per_run = threads, .progress = true};
+}
+
+/// Returns the exit status, which tells of simulations that failed or were interrupted.
+int make_figures(const Options& options) {
+  const auto chosen = choose(options.ids);
+  const Profile profile = load_profile(options.profile);
+  CampaignOutcome outcome;
+  if (!options.no_run) {
+    const auto needed = needed_runs(chosen, profile);
+    if (!needed.empty()) outcome = run_campaign(needed, campaign_options(options, needed.size()));
+  }
+
+  const auto runs = finished_runs(profile, options.out);
+  Measurements measurements = measure_laws();
+  measurements.merge(measure_runs(runs));
+
+  // Every figure is drawn, also when only some were named: it takes seconds, and the report stays complete.
+  const auto figures_folder = options.out / "figures";
+  std::filesystem::create_directories(figures_folder);
+  std::vector<FigureOutput> outputs;
+  for (const auto& figure : figures()) outputs.push_back(figure.draw({profile, runs, measurements, figures_folder}));
+
+  const auto evaluations = evaluate(load_claims(), measurements);
+  const auto report_folder = options.out / "report";
+  write_report({profile, runs, outputs, evaluations, inconsistencies()}, figures_folder, report_folder);
+
+  for (const Figure* figure : chosen)
+    fmt::print("{}  {:<62}{}\n", figure->id, figure->title, (figures_folder / (figure->id + ".svg")).string());
+  const ClaimCounts counts = count(evaluations);
+  fmt::print("\n{} claims: {} reproduced, {} not reproduced, {} not decidable\nreport: {}\n", evaluations.size(),
+             counts.reproduced, counts.not_reproduced, counts.not_decidable, (report_folder / "index.html").string());
+  if (outcome.unfinished() > 0)
+    fmt::print(stderr, "{} simulation{} did not finish; the figures show what exists. The same command goes on.\n",
+               outcome.unfinished(), outcome.unfinished() == 1 ? "" : "s");
+  return outcome.exit_status();
+}
+
+}  // namespace
+
+void add_figures_command(CLI::App& app) {
+  auto options = std::make_shared<Options>();
+  CLI::App* command = app.add_subcommand("figures", "Simulate what is missing, draw the figures, write the report");
+  command->add_option("ID", options->ids, "figures to simulate for: " + known_ids() + " (default: all)");
+  command->add_option("--profile", options->profile, "settings of the simulations: quick or full")
+      ->capture_default_str();
+  command->add_option("--jobs", options->jobs, "simulations side by side (default: one per core)")
+      ->check(CLI::PositiveNumber);
+  command->add_option("--threads", options->threads, "threads of each simulation (default: cores over jobs)")
+      ->check(CLI::PositiveNumber);
+  command->add_option("--out", options->out, "folder of runs/, figures/ and report/")->capture_default_str();
+  command->add_flag("--no-run", options->no_run, "simulate nothing, draw with what exists");
+  command->footer(examples);
+  command->callback([options] {
+    if (const int status = make_figures(*options); status != 0) throw CLI::RuntimeError(status);
+  });
+}
+
+}  // namespace slfb

@@ -1,0 +1,213 @@
+#include "experiments/commands/run.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "experiments/analysis.hpp"
+#include "experiments/measure.hpp"
+#include "experiments/run_campaign.hpp"
+#include "experiments/run_estimate.hpp"
+#include "experiments/run_files.hpp"
+#include "solver/scene/scene_file.hpp"
+
+namespace slfb {
+namespace {
+
+using nlohmann::json;
+
+constexpr const char* examples = R"(Examples:
+  slfb run experiments/scenes/6in5W.toml --dry-run        check the scene, show what it costs
+  slfb run scene.toml --threads 2                         simulate
+  slfb run scene.toml --set "liquid.superficial_velocity=0.08 m/s" --set stage[2].repetitions=5
+
+The result lies in DIR/runs/HASH/result.h5, HASH being computed from every value of the scene: the same scene is not
+simulated twice, and a run that was interrupted goes on when the same command is given again.)";
+
+struct Options {
+  std::filesystem::path scene;
+  std::filesystem::path out = SLFB_BUILD_DIR;
+  int threads = 1;
+  Overrides overrides;
+  bool dry_run = false;
+  bool json = false;
+};
+
+json number_or_null(double value) { return std::isfinite(value) ? json(value) : json(nullptr); }
+
+int print_plan(const Options& options, const Scene& scene) {
+  const RunEstimate estimate = estimate_run(scene);
+  const std::string hash = scene_hash(scene);
+  const auto result = result_file(options.out, hash);
+  const bool exists = std::filesystem::exists(result);
+  const double wall_seconds = estimate.core_seconds / options.threads;
+  if (options.json) {
+    const json plan{{"scene", options.scene.string()},
+                    {"hash", hash},
+                    {"spheres", estimate.spheres},
+                    {"liquid_cells", estimate.liquid_cells},
+                    {"steps_per_contact", estimate.steps_per_contact},
+                    {"dem_time_step", scene.contact.time_step},
+                    {"dem_time_step_bound", estimate.time_step_bound},
+                    {"liquid_time_step", scene.fluid.time_step},
+                    {"simulated_seconds", estimate.simulated_seconds},
+                    {"simulated_seconds_at_most", estimate.longest_seconds},
+                    {"particle_steps", estimate.particle_steps},
+                    {"estimated_wall_seconds", wall_seconds},
+                    {"result", result.string()},
+                    {"result_exists", exists}};
+    fmt::print("{}\n", plan.dump(2));
+    return 0;
+  }
+  const auto line = [](const char* name, const std::string& text) { fmt::print("  {:<18} {}\n", name, text); };
+  fmt::print("{}: the scene is valid\n", options.scene.string());
+  if (!scene.title.empty()) line("title", scene.title);
+  line("hash", hash);
+  line("spheres", fmt::format("{}", estimate.spheres));
+  line("liquid cells", fmt::format("{}", estimate.liquid_cells));
+  line("steps per contact", fmt::format("{:.1f} of {:.3g} s", estimate.steps_per_contact, scene.contact.time_step));
+  line("bound of the step", fmt::format("{:.3g} s (1/ω_0 of the stiffest pair)", estimate.time_step_bound));
+  line("liquid step", fmt::format("{:.3g} s", scene.fluid.time_step));
+  line("simulated time", estimate.longest_seconds > estimate.simulated_seconds
+                             ? fmt::format("{:.2f} s with {} s for each fall, at most {:.2f} s",
+                                           estimate.simulated_seconds, typical_fall, estimate.longest_seconds)
+                             : fmt::format("{:.2f} s", estimate.simulated_seconds));
+  line("wall-clock time",
+       fmt::format("about {} on {} thread{}, at {:.0f} M particle steps and {:.0f} M cell steps per second and thread",
+                   format_duration(wall_seconds), options.threads, options.threads == 1 ? "" : "s",
+                   1e-6 * particle_steps_per_core_second, 1e-6 * cell_steps_per_core_second));
+  line("result", result.string() + (exists ? " (exists: nothing would be simulated)" : ""));
+  return 0;
+}
+
+/// What measure_runs finds in one run, by quantity. Empty without bed particles, which its definitions need.
+Measurements measure(const Options& options, const Scene& scene, const RunResult& result) {
+  if (std::none_of(scene.species.begin(), scene.species.end(), [](const Species& s) { return s.count > 0; })) return {};
+  const RunSpec spec{options.scene.stem().string(), scene.liquid.superficial_velocity, "", options.scene, {}};
+  Measurements by_quantity;
+  for (const auto& [key, measurement] : measure_runs({{spec, scene, result}})) {
+    const std::string quantity = key.substr(0, key.find('/'));
+    // The others are of a system over its velocities.
+    if (key == measure_key(quantity, spec.system, spec.superficial_velocity)) by_quantity[quantity] = measurement;
+  }
+  return by_quantity;
+}
+
+double particle_steps_per_second(const RunResult& result) {
+  return result.wall_seconds > 0.0 ? static_cast<double>(result.particle_steps) / result.wall_seconds : 0.0;
+}
+
+void add_result(json& answer, const RunResult& result, const Measurements& measurements) {
+  answer["wall_seconds"] = result.wall_seconds;
+  answer["cpu_seconds"] = result.cpu_seconds;
+  answer["simulated_seconds"] = result.simulated_seconds;
+  answer["particle_steps"] = result.particle_steps;
+  answer["particle_steps_per_second"] = particle_steps_per_second(result);
+  answer["particles_removed"] = result.particles_removed;
+  json& quantities = answer["measurements"] = json::object();
+  for (const auto& [quantity, measurement] : measurements) {
+    quantities[quantity] = {{"value", number_or_null(measurement.value)},
+                            {"half_width", number_or_null(measurement.half_width)},
+                            {"unit", measurement.unit},
+                            {"samples", measurement.samples}};
+  }
+  json& drops = answer["drops"] = json::array();
+  for (const DropSeries& drop : result.drops) {
+    const auto fit = fit_classification(drop, 0.0);
+    drops.push_back({{"species", drop.species},
+                     {"release_time", drop.release_time},
+                     {"bottom_time", drop.bottom_time < 0.0 ? json(nullptr) : json(drop.bottom_time)},
+                     {"classification_velocity", fit ? json(fit->velocity) : json(nullptr)},
+                     {"r_squared", fit ? json(fit->r_squared) : json(nullptr)}});
+  }
+}
+
+void print_result(const RunResult& result, const Measurements& measurements) {
+  const auto line = [](const std::string& name, const std::string& text) { fmt::print("  {:<22} {}\n", name, text); };
+  const auto measured = [&](const char* name, const char* quantity) {
+    const auto found = measurements.find(quantity);
+    if (found == measurements.end()) return;
+    const Measurement& m = found->second;
+    const std::string unit = m.unit == "-" ? "" : " " + m.unit;
+    line(name, std::isfinite(m.half_width) ? fmt::format("{:.4g} ± {:.2g}{}", m.value, m.half_width, unit)
+                                           : fmt::format("{:.4g}{}", m.value, unit));
+  };
+  measured("bed voidage", "voidage_centre_of_mass");
+  measured("pressure drop", "pressure_drop");
+  measured("V_2, mean of drops", "classification_velocity");
+  for (std::size_t i = 0; i < result.drops.size(); ++i) {
+    const DropSeries& drop = result.drops[i];
+    const auto fit = fit_classification(drop, 0.0);
+    line(fmt::format("drop {} ({})", i + 1, drop.species),
+         fmt::format(
+             "{}, {}", fit ? fmt::format("V_2 = {:.4g} m/s", fit->velocity) : "no V_2 (too few points)",
+             drop.bottom_time < 0.0 ? "bottom not reached" : fmt::format("bottom after {:.3g} s", drop.bottom_time)));
+  }
+  if (result.particles_removed > 0) line("left through outlet", fmt::format("{} spheres", result.particles_removed));
+  line("simulated", fmt::format("{:.2f} s in {}, {:.3g} particle steps/s, {} thread{}", result.simulated_seconds,
+                                format_duration(result.wall_seconds), particle_steps_per_second(result), result.threads,
+                                result.threads == 1 ? "" : "s"));
+}
+
+const char* status_of(const CampaignOutcome& outcome) {
+  if (outcome.interrupted > 0) return "interrupted";
+  if (outcome.failed > 0) return "failed";
+  return outcome.skipped > 0 ? "existed" : "finished";
+}
+
+/// Returns the exit status.
+int run(const Options& options) {
+  const Scene scene = load_scene(options.scene, options.overrides);
+  if (options.dry_run) return print_plan(options, scene);
+
+  const std::string hash = scene_hash(scene);
+  const auto file = result_file(options.out, hash);
+  const CampaignOutcome outcome = run_scenes({{options.scene.stem().string(), scene}},
+                                             {.out = options.out, .jobs = 1, .threads_per_run = options.threads});
+  json answer{{"scene", options.scene.string()}, {"hash", hash}, {"status", status_of(outcome)}};
+  if (outcome.unfinished() == 0) {
+    const RunResult result = load_result(file);
+    const Measurements measurements = measure(options, scene, result);
+    answer["result"] = file.string();
+    add_result(answer, result, measurements);
+    if (!options.json) {
+      fmt::print("{}{}\n", file.string(),
+                 outcome.skipped > 0 ? " (had been computed; remove its folder to repeat)" : "");
+      print_result(result, measurements);
+    }
+  } else {
+    answer["result"] = nullptr;
+  }
+  if (options.json) fmt::print("{}\n", answer.dump(2));
+  return outcome.exit_status();
+}
+
+}  // namespace
+
+void add_run_command(CLI::App& app) {
+  auto options = std::make_shared<Options>();
+  const int cores = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+  CLI::App* command = app.add_subcommand("run", "Simulate one scene");
+  command->add_option("SCENE", options->scene, "Scene file (TOML)")->required()->check(CLI::ExistingFile);
+  command->add_option("--out", options->out, "Folder of runs/")->capture_default_str();
+  command->add_option("--threads", options->threads, fmt::format("Threads, up to the {} cores here", cores))
+      ->check(CLI::Range(1, cores))
+      ->capture_default_str();
+  command->add_option("--set", options->overrides, "Replace a value of the scene: KEY=VALUE, may be repeated")
+      ->allow_extra_args(false);
+  command->add_flag("--dry-run", options->dry_run, "Check the scene and show what would run, without running it");
+  command->add_flag("--json", options->json, "Write the plan or the summary as JSON");
+  command->footer(examples);
+  command->callback([options] {
+    if (const int status = run(*options); status != 0) throw CLI::RuntimeError(status);
+  });
+}
+
+}  // namespace slfb

@@ -1,0 +1,155 @@
+#include "experiments/figure_support.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+#include "experiments/measure.hpp"
+
+namespace slfb {
+namespace {
+
+std::string join(const std::vector<std::string>& parts) { return fmt::format("{}", fmt::join(parts, ", ")); }
+
+/// Lines of at most `width` characters, broken at spaces.
+std::vector<std::string> wrap(const std::string& text, std::size_t width) {
+  std::vector<std::string> lines;
+  std::string line;
+  std::istringstream words(text);
+  for (std::string word; words >> word;) {
+    if (!line.empty() && line.size() + 1 + word.size() > width) {
+      lines.push_back(line);
+      line.clear();
+    }
+    line += (line.empty() ? "" : " ") + word;
+  }
+  if (!line.empty()) lines.push_back(line);
+  return lines;
+}
+
+std::vector<const FinishedRun*> present_runs(const FigureContext& context, const std::vector<std::string>& keys) {
+  std::vector<const FinishedRun*> present;
+  for (const auto& run : context.runs)
+    if (std::find(keys.begin(), keys.end(), run_key(run.spec)) != keys.end()) present.push_back(&run);
+  return present;
+}
+
+}  // namespace
+
+std::vector<std::string> select_run_keys(const Profile& profile, const std::function<bool(const RunSpec&)>& wanted) {
+  std::vector<std::string> keys;
+  for (const auto& spec : profile.runs) {
+    const std::string key = run_key(spec);
+    if (wanted(spec) && std::find(keys.begin(), keys.end(), key) == keys.end()) keys.push_back(key);
+  }
+  return keys;
+}
+
+const FinishedRun* find_run(const FigureContext& context, std::string_view key) {
+  const FinishedRun* found = nullptr;
+  for (const auto& run : context.runs)
+    if (run_key(run.spec) == key && (found == nullptr || (found->stale && !run.stale))) found = &run;
+  return found;
+}
+
+std::vector<MeasuredPoint> measured_points(const Measurements& measurements, std::string_view quantity,
+                                           std::string_view system, std::string_view variant) {
+  const std::string prefix = fmt::format("{}/{}/", quantity, system);
+  std::vector<MeasuredPoint> points;
+  for (auto entry = measurements.lower_bound(prefix); entry != measurements.end(); ++entry) {
+    const auto& [key, measured] = *entry;
+    if (!key.starts_with(prefix)) break;
+    const std::string tail = key.substr(prefix.size());
+    const std::size_t slash = tail.find('/');
+    const std::string found_variant = slash == std::string::npos ? "" : tail.substr(slash + 1);
+    if (found_variant != variant) continue;
+    points.push_back({std::stod(tail.substr(0, slash)), measured.value, measured.half_width});
+  }
+  std::sort(points.begin(), points.end(),
+            [](const auto& a, const auto& b) { return a.superficial_velocity < b.superficial_velocity; });
+  return points;
+}
+
+std::optional<double> mean_over_runs(const Measurements& measurements, std::string_view quantity,
+                                     std::string_view system) {
+  const auto points = measured_points(measurements, quantity, system);
+  if (points.empty()) return std::nullopt;
+  double sum = 0.0;
+  for (const auto& point : points) sum += point.value;
+  return sum / static_cast<double>(points.size());
+}
+
+std::vector<std::string> variants_of(const Profile& profile, std::string_view system) {
+  std::vector<std::string> variants{""};
+  for (const auto& spec : profile.runs)
+    if (spec.system == system && std::find(variants.begin(), variants.end(), spec.variant) == variants.end())
+      variants.push_back(spec.variant);
+  return variants;
+}
+
+std::string series_title(const FigureContext& context, std::string_view system, const std::string& variant) {
+  if (!variant.empty()) return "simulated, " + variant;
+  for (const auto& run : context.runs)
+    if (run.spec.system == system && run.spec.variant.empty()) return "simulated, " + run.scene.coupling.drag_law;
+  return "simulated";
+}
+
+int line_style(std::size_t place) { return 2 + static_cast<int>(place % 4); }
+
+std::string error_bars(const DataTable& table, const std::vector<int>& using_columns, const std::string& style,
+                       int line_style) {
+  const auto half_width = static_cast<std::size_t>(using_columns.back()) - 1;
+  if (std::none_of(table.rows.begin(), table.rows.end(),
+                   [&](const auto& row) { return std::isfinite(row[half_width]); }))
+    return "";
+  return fmt::format("'{}.csv' skip 1 using {} with {} linestyle {} pointsize 0 linewidth 1.4 notitle, ", table.name,
+                     fmt::join(using_columns, ":"), style, line_style);
+}
+
+std::vector<std::string> run_notes(const FigureContext& context, const std::vector<std::string>& keys) {
+  std::vector<std::string> notes;
+  const auto present = present_runs(context, keys);
+  if (!present.empty())
+    for (const auto& difference : context.profile.differences) notes.push_back(difference);
+  std::vector<std::string> missing, published, stale;
+  for (const auto& key : keys)
+    if (find_run(context, key) == nullptr) missing.push_back(key);
+  for (const FinishedRun* run : present) {
+    if (run->published) published.push_back(run_key(run->spec));
+    if (run->stale) stale.push_back(run_key(run->spec));
+  }
+  if (keys.empty())
+    notes.push_back(fmt::format("The profile \"{}\" has no simulation for this figure.", context.profile.name));
+  if (!missing.empty()) notes.push_back(fmt::format("Not yet simulated: {}.", join(missing)));
+  if (!published.empty()) notes.push_back(fmt::format("Read from the committed results: {}.", join(published)));
+  if (!stale.empty()) notes.push_back(fmt::format("Made by an older version of the numerics: {}.", join(stale)));
+  return notes;
+}
+
+void draw_figure_of_runs(const std::string& id, const std::string& commands, Canvas canvas,
+                         const FigureContext& context, const std::vector<std::string>& keys) {
+  std::string text = "Not yet simulated with this profile.";
+  if (!present_runs(context, keys).empty()) {
+    text = fmt::format("Profile {}. {}", context.profile.name, fmt::join(context.profile.differences, " "));
+  }
+  const int characters = std::max(40, canvas.width / 5);
+  const auto lines = wrap(text, static_cast<std::size_t>(characters));
+  const int line_height = 13;
+  const int text_height = line_height * static_cast<int>(lines.size()) + 8;
+  canvas.height += text_height;
+  std::string head = fmt::format("height = {}\nbase = {:.5f}\nset origin 0, base\nset size 1, 1 - base\n", canvas.height,
+                                 static_cast<double>(text_height) / canvas.height);
+  for (std::size_t index = 0; index < lines.size(); ++index) {
+    const double height =
+        (text_height - 4.0 - line_height * (static_cast<double>(index) + 0.5)) / canvas.height;
+    head += fmt::format("set label {} {} at screen 0.012, {:.5f} font ',9' textcolor rgb '#6b7580' front\n", 901 + index,
+                        gnuplot_text(lines[index]), height);
+  }
+  head += fmt::format("footer_drawn = 'unset for [tag=901:{}] label tag'\n\n", 900 + lines.size());
+  draw_figure(id, head + commands, canvas, context.out);
+}
+
+}  // namespace slfb

@@ -1,0 +1,16 @@
+#include "experiments/fig05_pressure_drop/fig05.hpp"
+#include "experiments/fig08_history/fig08.hpp"
+#include "experiments/fig09_trajectories/fig09.hpp"
+#include "experiments/fig10_classification_velocity/fig10.hpp"
+#include "experiments/fig13_void_fraction/fig13.hpp"
+#include "experiments/fig25_collision_force/fig25.hpp"
+#include "experiments/figure.hpp"
+
+namespace slfb {
+
+const std::vector<Figure>& figures() {
+  static const std::vector<Figure> list{fig05(), fig08(), fig09(), fig10(), fig13(), fig25()};
+  return list;
+}
+
+}  // namespace slfb

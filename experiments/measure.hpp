@@ -1,0 +1,43 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "experiments/campaign.hpp"
+#include "experiments/measurement.hpp"
+
+/// From finished runs and from the laws to the numbers that the claims and figures compare.
+namespace slfb {
+
+/// "quantity/system/U_L" or "quantity/system/U_L/variant", U_L in m/s with two decimals.
+std::string measure_key(std::string_view quantity, std::string_view system, double superficial_velocity,
+                        std::string_view variant = "");
+
+/// "system/U_L" or "system/U_L/variant": the tail of measure_key that names the run.
+std::string run_key(const RunSpec& spec);
+
+/// True when `key` is answered by simulations (its second part names a system such as 6in5W), false for laws.
+bool needs_run(std::string_view key);
+
+/// Everything measured in finished runs.
+///
+/// Runs of one key and different names are replicates: their drops are pooled. Runs of an older numerics version
+/// count only where the key has no current run. Quantities per run: classification_velocity,
+/// classification_intercept (on the paper's clock: release at 20 s, NaI 30 s), classification_r2, time_to_bottom,
+/// time_followed, voidage_centre_of_mass, voidage_bed_top, pressure_drop, packed_voidage, packed_height,
+/// fluctuating_energy, contacts_per_particle, collision_frequency, dimensionless_collision_frequency,
+/// collision_force_ratio, collision_force_ratio_of_mean, equation_40_deviation, collision_to_drag_ratio, drag_ratio,
+/// pressure_gradient_ratio, mean_contacts, maximum_contacts, contact_fraction, peak_force_ratio, lateral_travel,
+/// local_voidage_mean, local_voidage_minimum, local_voidage_maximum, terminal_velocity, terminal_reynolds,
+/// penetration, maximum_overlap_mean, plane_voidage_deviation, plane_vorticity_range, plane_speed_maximum,
+/// particles_removed, wall_seconds_per_simulated_second.
+///
+/// Quantities per system, "quantity/system", from all its runs without variant: packed_line_slope,
+/// packed_line_intercept, pressure_plateau, minimum_fluidisation_velocity, classification_velocity_rise_ratio.
+Measurements measure_runs(const std::vector<FinishedRun>& runs);
+
+/// Everything that follows from the literature laws and the reference data alone ("quantity/what").
+Measurements measure_laws();
+
+}  // namespace slfb

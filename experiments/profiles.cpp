@@ -1,0 +1,108 @@
+#include <fmt/format.h>
+#include <toml++/toml.h>
+
+#include <stdexcept>
+
+#include "experiments/campaign.hpp"
+
+namespace slfb {
+namespace {
+
+/// The table of profiles.toml that holds the definitions; each getter throws with the place of what it misses.
+class Definitions {
+ public:
+  explicit Definitions(const std::filesystem::path& file) : file_(file.string()), root_(parse(file_)) {}
+
+  /// Table `name` of a group ("profiles", "systems", "variants").
+  [[nodiscard]] const toml::table& entry(const std::string& group, const std::string& name) const {
+    const toml::table* all = root_[group].as_table();
+    if (all == nullptr) throw std::runtime_error(fmt::format("{}: [{}] is missing", file_, group));
+    const toml::table* found = (*all)[name].as_table();
+    if (found != nullptr) return *found;
+    std::string known;
+    for (const auto& [key, node] : *all) known += fmt::format("{}\"{}\"", known.empty() ? "" : ", ", key.str());
+    throw std::runtime_error(fmt::format("{}: no \"{}\" in [{}]; known: {}", file_, name, group, known));
+  }
+
+  [[nodiscard]] const toml::table& common() const {
+    const toml::table* found = root_["common"].as_table();
+    if (found == nullptr) throw std::runtime_error(fmt::format("{}: [common] is missing", file_));
+    return *found;
+  }
+
+  [[nodiscard]] const toml::array& array(const toml::table& table, const std::string& key) const {
+    const toml::array* found = table[key].as_array();
+    if (found == nullptr) throw missing(table, key, "an array");
+    return *found;
+  }
+
+  template <class Value>
+  [[nodiscard]] Value value(const toml::table& table, const std::string& key) const {
+    const auto found = table[key].value<Value>();
+    if (!found) throw missing(table, key, "a value");
+    return *found;
+  }
+
+  /// The items of an array of one type.
+  template <class Value>
+  [[nodiscard]] std::vector<Value> values(const toml::table& table, const std::string& key) const {
+    std::vector<Value> items;
+    for (const toml::node& node : array(table, key)) {
+      const auto item = node.value<Value>();
+      if (!item) throw missing(table, key, "an array of one type");
+      items.push_back(*item);
+    }
+    return items;
+  }
+
+ private:
+  static toml::table parse(const std::string& file) {
+    try {
+      return toml::parse_file(file);
+    } catch (const toml::parse_error& error) {
+      throw std::runtime_error(fmt::format("{}:{}: {}", file, error.source().begin.line, error.description()));
+    }
+  }
+
+  [[nodiscard]] std::runtime_error missing(const toml::table& table, const std::string& key,
+                                           std::string_view wanted) const {
+    return std::runtime_error(fmt::format("{}:{}: \"{}\" is missing or of the wrong type; needed is {}", file_,
+                                          table.source().begin.line, key, wanted));
+  }
+
+  std::string file_;
+  toml::table root_;
+};
+
+void append(std::vector<std::string>& list, const std::vector<std::string>& more) {
+  list.insert(list.end(), more.begin(), more.end());
+}
+
+}  // namespace
+
+Profile load_profile(const std::string& name) {
+  const Definitions definitions(std::filesystem::path(SLFB_SOURCE_DIR) / "experiments" / "profiles.toml");
+  const toml::table& table = definitions.entry("profiles", name);
+  Profile profile{name, definitions.values<std::string>(definitions.common(), "differences"), {}};
+  append(profile.differences, definitions.values<std::string>(table, "differences"));
+  const auto profile_overrides = definitions.values<std::string>(table, "overrides");
+
+  for (const toml::node& node : definitions.array(table, "runs")) {
+    if (!node.is_table()) throw std::runtime_error(fmt::format("profile \"{}\": a run is not a table", name));
+    const toml::table& run = *node.as_table();
+    const auto system = definitions.value<std::string>(run, "system");
+    const auto scene = definitions.value<std::string>(definitions.entry("systems", system), "scene");
+    const auto variant = run["variant"].value_or<std::string>("");
+    for (const double velocity : definitions.values<double>(run, "superficial_velocities")) {
+      RunSpec spec{system, velocity, variant, scene, profile_overrides};
+      spec.overrides.push_back(fmt::format("liquid.superficial_velocity={} m/s", velocity));
+      if (!variant.empty()) {
+        append(spec.overrides, definitions.values<std::string>(definitions.entry("variants", variant), "overrides"));
+      }
+      profile.runs.push_back(std::move(spec));
+    }
+  }
+  return profile;
+}
+
+}  // namespace slfb

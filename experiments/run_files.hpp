@@ -1,0 +1,23 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "experiments/campaign.hpp"
+
+/// Where the scenes of a profile come from and where their results lie.
+namespace slfb {
+
+/// The scene of a specification with its overrides, read from experiments/scenes.
+Scene load_run_scene(const RunSpec& spec);
+
+/// Folder of one run: checkpoint, snapshots, scene.toml and, once finished, result.h5.
+std::filesystem::path run_directory(const std::filesystem::path& out, const std::string& hash);
+
+/// The result of a finished run.
+std::filesystem::path result_file(const std::filesystem::path& out, const std::string& hash);
+
+/// The committed result of a specification: "6in5W_0.06_default.h5" in reports/published/runs.
+std::filesystem::path published_file(const RunSpec& spec);
+
+}  // namespace slfb

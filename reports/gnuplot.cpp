@@ -1,0 +1,135 @@
+#include "reports/gnuplot.hpp"
+
+#include <fmt/format.h>
+#include <spawn.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <array>
+#include <cerrno>
+#include <cmath>
+#include <cstring>
+#include <fstream>
+#include <sstream>
+#include <stdexcept>
+
+namespace slfb {
+namespace {
+
+namespace fs = std::filesystem;
+
+void write_file(const fs::path& file, const std::string& text) {
+  std::ofstream stream(file, std::ios::binary);
+  stream << text;
+  stream.close();
+  if (!stream) throw std::runtime_error(fmt::format("cannot write {}", file.string()));
+}
+
+std::string read_file(const fs::path& file) {
+  std::ifstream stream(file, std::ios::binary);
+  if (!stream) throw std::runtime_error(fmt::format("cannot read {}", file.string()));
+  std::ostringstream text;
+  text << stream.rdbuf();
+  return text.str();
+}
+
+/// Runs gnuplot on `script` inside `folder`; returns what it wrote to its standard error and its exit status.
+std::pair<std::string, int> run_gnuplot(const std::string& script, const fs::path& folder) {
+  std::array<int, 2> channel{};
+  if (pipe(channel.data()) != 0) throw std::runtime_error(fmt::format("gnuplot: pipe: {}", std::strerror(errno)));
+  posix_spawn_file_actions_t actions;
+  posix_spawn_file_actions_init(&actions);
+  posix_spawn_file_actions_addchdir_np(&actions, folder.c_str());
+  posix_spawn_file_actions_adddup2(&actions, channel[1], STDERR_FILENO);
+  posix_spawn_file_actions_adddup2(&actions, channel[1], STDOUT_FILENO);
+  posix_spawn_file_actions_addclose(&actions, channel[0]);
+  posix_spawn_file_actions_addclose(&actions, channel[1]);
+  std::string program = "gnuplot";
+  std::string argument = script;
+  std::array<char*, 3> arguments{program.data(), argument.data(), nullptr};
+  pid_t process = 0;
+  const int failure = posix_spawnp(&process, "gnuplot", &actions, nullptr, arguments.data(), environ);
+  posix_spawn_file_actions_destroy(&actions);
+  close(channel[1]);
+  if (failure != 0) {
+    close(channel[0]);
+    throw std::runtime_error(fmt::format("gnuplot cannot be started: {} (apt-get install gnuplot-nox)",
+                                         std::strerror(failure)));
+  }
+  std::string message;
+  std::array<char, 4096> buffer{};
+  for (;;) {
+    const ssize_t count = read(channel[0], buffer.data(), buffer.size());
+    if (count < 0 && errno == EINTR) continue;
+    if (count <= 0) break;
+    message.append(buffer.data(), static_cast<std::size_t>(count));
+  }
+  close(channel[0]);
+  int status = 0;
+  while (waitpid(process, &status, 0) < 0 && errno == EINTR) {
+  }
+  return {message, WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status)};
+}
+
+/// The script draws itself once per format: loaded without `format` it loads itself three times, then leaves.
+constexpr const char* prologue = R"(# {id}: redraw it with `gnuplot {id}.gp` in the folder of its CSV files.
+if (!exists("format")) {{ do for [format in "svg png pdf"] {{ load '{id}.gp' }}; exit }}
+reset
+if (format eq 'svg') {{ set terminal svg size {width},{height} dynamic enhanced font 'sans-serif,15' background '#ffffff' }}
+if (format eq 'png') {{ set terminal pngcairo size {png_width},{png_height} enhanced font 'DejaVu Sans,15' fontscale 1.5 linewidth 2 pointscale 2 background '#ffffff' }}
+if (format eq 'pdf') {{ set terminal pdfcairo size {pdf_width:.3f},{pdf_height:.3f} enhanced font 'DejaVu Sans,11' background '#ffffff' }}
+set output '{id}.'.format
+)";
+
+}  // namespace
+
+fs::path write_csv(const DataTable& table, const fs::path& folder) {
+  std::string text = fmt::format("{}\n", fmt::join(table.columns, ","));
+  for (const auto& row : table.rows) {
+    if (row.size() != table.columns.size())
+      throw std::runtime_error(fmt::format("table {}: a row of {} values under {} headings", table.name, row.size(),
+                                           table.columns.size()));
+    std::string separator;
+    for (const double value : row) {
+      text += separator + (std::isnan(value) ? std::string("NaN") : fmt::format("{:.9g}", value));
+      separator = ",";
+    }
+    text += "\n";
+  }
+  const fs::path file = folder / (table.name + ".csv");
+  write_file(file, text);
+  return file;
+}
+
+void draw_figure(const std::string& id, const std::string& commands, const Canvas& canvas, const fs::path& folder) {
+  const std::string head =
+      fmt::format(prologue, fmt::arg("id", id), fmt::arg("width", canvas.width), fmt::arg("height", canvas.height),
+                  fmt::arg("png_width", 2 * canvas.width), fmt::arg("png_height", 2 * canvas.height),
+                  fmt::arg("pdf_width", canvas.width / 96.0), fmt::arg("pdf_height", canvas.height / 96.0));
+  const std::string style = read_file(fs::path(SLFB_SOURCE_DIR) / "reports" / "style.gp");
+  const std::string script = id + ".gp";
+  write_file(folder / script, head + "\n" + style + "\n" + commands + "unset output\n");
+  for (const char* format : {"svg", "png", "pdf"}) fs::remove(folder / (id + "." + format));
+  const auto [message, status] = run_gnuplot(script, folder);
+  if (status != 0)
+    throw std::runtime_error(fmt::format("gnuplot failed on {} (exit status {}):\n{}", (folder / script).string(),
+                                         status, message));
+  for (const char* format : {"svg", "png", "pdf"}) {
+    const fs::path picture = folder / (id + "." + format);
+    std::error_code missing;
+    if (fs::file_size(picture, missing) == 0 || missing)
+      throw std::runtime_error(fmt::format("gnuplot left no {}:\n{}", picture.string(), message));
+  }
+}
+
+std::string gnuplot_text(const std::string& text) {
+  std::string quoted = "'";
+  for (const char character : text) {
+    if (character == '\'') quoted += '\'';
+    if (std::string_view("_^{}@&~\\").find(character) != std::string_view::npos) quoted += '\\';
+    quoted += character;
+  }
+  return quoted + "'";
+}
+
+}  // namespace slfb

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+/// A thin layer over gnuplot: a figure is CSV files, a script that stands on its own, and the pictures it draws.
+namespace slfb {
+
+/// Numbers that a figure draws, written as NAME.csv: one heading per column, its unit in square brackets.
+struct DataTable {
+  std::string name;
+  std::vector<std::string> columns;  ///< for instance "superficial velocity [m/s]"
+  std::vector<std::vector<double>> rows;
+};
+
+/// Writes `table` into `folder` and returns the file. Throws std::runtime_error when a row and the headings differ in
+/// length or the file cannot be written. A value that is not a number is written as NaN, which gnuplot leaves out.
+std::filesystem::path write_csv(const DataTable& table, const std::filesystem::path& folder);
+
+/// Size of a figure in pixels of the SVG; the PNG has twice as many each way, the PDF the same proportions.
+struct Canvas {
+  int width = 520;
+  int height = 400;
+};
+
+/// Writes ID.gp into `folder` and runs it there, which leaves ID.svg, ID.png and ID.pdf. The script contains the
+/// shared style (reports/style.gp) and names its data without a folder, so that `gnuplot ID.gp` beside the CSV files
+/// redraws the figure anywhere. Throws std::runtime_error with gnuplot's own message when gnuplot is missing, fails,
+/// or leaves a picture out.
+void draw_figure(const std::string& id, const std::string& commands, const Canvas& canvas,
+                 const std::filesystem::path& folder);
+
+/// `text` between single quotes as gnuplot reads it, and without its markup (_ ^ { } @ & ~ are shown as written).
+std::string gnuplot_text(const std::string& text);
+
+}  // namespace slfb

@@ -1,0 +1,344 @@
+#include "reports/report.hpp"
+
+#include <fmt/chrono.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <fstream>
+#include <map>
+#include <set>
+#include <sstream>
+#include <stdexcept>
+
+#include "experiments/measure.hpp"
+#include "reports/html.hpp"
+#include "reports/law_section.hpp"
+
+namespace slfb {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string read_file(const fs::path& file) {
+  std::ifstream stream(file, std::ios::binary);
+  if (!stream) throw std::runtime_error(fmt::format("cannot read {}", file.string()));
+  std::ostringstream text;
+  text << stream.rdbuf();
+  return text.str();
+}
+
+/// A verdict as a class of the style sheet.
+std::string verdict_class(Verdict verdict) {
+  std::string name(to_string(verdict));
+  std::replace(name.begin(), name.end(), ' ', '-');
+  return name;
+}
+
+/// One character per verdict, so that colour is never the only sign.
+const char* verdict_sign(Verdict verdict) {
+  switch (verdict) {
+    case Verdict::reproduced: return "✓";
+    case Verdict::not_reproduced: return "✗";
+    case Verdict::not_decidable: return "?";
+  }
+  return "?";
+}
+
+/// "fig05" → "Figure 5", "table2" → "Table 2", "text" → "Text".
+std::string place_in_paper(const std::string& name) {
+  const auto digits = name.find_first_of("0123456789");
+  const std::string word = name.substr(0, digits);
+  if (digits == std::string::npos) {
+    std::string capital = name;
+    if (!capital.empty()) capital[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(capital[0])));
+    return escape_html(capital);
+  }
+  const std::string number = std::to_string(std::stoi(name.substr(digits)));
+  if (word == "fig") return "Figure " + number;
+  if (word == "table") return "Table " + number;
+  return escape_html(name);
+}
+
+std::string with_unit(const std::string& text, const std::string& unit) {
+  return unit == "-" || unit.empty() ? text : text + " " + escape_html(unit);
+}
+
+std::string percentage(double fraction) {
+  if (std::fabs(fraction) < 5e-4) return "0.0 %";
+  return fmt::format("{}{:.1f} %", fraction < 0.0 ? "−" : "+", std::fabs(100.0 * fraction));
+}
+
+std::string band_text(const Band& band) {
+  if (std::isinf(band.lower)) return "≤ " + readable_number(band.upper);
+  if (std::isinf(band.upper)) return "≥ " + readable_number(band.lower);
+  return readable_number(band.lower) + " … " + readable_number(band.upper);
+}
+
+std::string plural(std::size_t count, const std::string& noun) {
+  return fmt::format("{} {}{}", count, noun, count == 1 ? "" : "s");
+}
+
+/// Evaluations by the place in the paper: figures, tables, then the text.
+std::vector<std::pair<std::string, std::vector<const Evaluation*>>> by_place(const std::vector<Evaluation>& evaluations) {
+  std::vector<std::pair<std::string, std::vector<const Evaluation*>>> groups;
+  for (const auto& evaluation : evaluations) {
+    const auto known = std::find_if(groups.begin(), groups.end(),
+                                    [&](const auto& group) { return group.first == evaluation.claim.figure; });
+    if (known == groups.end()) {
+      groups.push_back({evaluation.claim.figure, {&evaluation}});
+    } else {
+      known->second.push_back(&evaluation);
+    }
+  }
+  std::stable_sort(groups.begin(), groups.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+  return groups;
+}
+
+std::string overview(const ReportContents& contents) {
+  const ClaimCounts counts = count(contents.evaluations);
+  std::set<std::string> wanted, present;
+  for (const auto& spec : contents.profile.runs) wanted.insert(run_key(spec));
+  for (const auto& run : contents.runs)
+    if (wanted.contains(run_key(run.spec))) present.insert(run_key(run.spec));
+  std::string html = fmt::format(
+      "<header class=\"masthead\"><div>\n<h1>Solid–liquid fluidised beds, simulated again</h1>\n"
+      "<p>A steel sphere settles through a bed of glass spheres in water. Peng et al. "
+      "(<a href=\"https://doi.org/10.1016/j.ces.2014.04.040\">Chem. Eng. Sci., 2014</a>) simulated it with coupled CFD "
+      "and DEM; this report simulates it again with <code>slfb</code> {}, draws their figures, and holds each statement "
+      "of the paper that can be checked against our own numbers.</p>\n<p class=\"soft\">Profile <b>{}</b>: {} of {} "
+      "simulations are available.{}</p>\n</div></header>\n",
+      escape_html(SLFB_VERSION), escape_html(contents.profile.name), present.size(), wanted.size(),
+      present.size() < wanted.size()
+          ? fmt::format(" <code>build/slfb figures --profile {}</code> makes the others and draws everything again.",
+                        escape_html(contents.profile.name))
+          : "");
+  html +=
+      "<nav><div><a href=\"#verdicts\">Verdicts</a><a href=\"#figures\">Figures</a><a href=\"#claims\">Claims</a>"
+      "<a href=\"#inconsistencies\">What does not add up</a><a href=\"#laws\">Laws</a><a href=\"#provenance\">Provenance"
+      "</a></div></nav>\n<main>\n<section id=\"verdicts\">\n<h2>Verdicts at a glance</h2>\n";
+  const std::array<std::pair<Verdict, std::size_t>, 3> parts{{{Verdict::reproduced, counts.reproduced},
+                                                               {Verdict::not_reproduced, counts.not_reproduced},
+                                                               {Verdict::not_decidable, counts.not_decidable}}};
+  html += "<div class=\"verdict-bar\" role=\"img\" aria-label=\"share of the verdicts\">";
+  for (const auto& [verdict, number] : parts)
+    if (number > 0) html += fmt::format("<span class=\"{}\" style=\"flex:{}\"></span>", verdict_class(verdict), number);
+  html += "</div>\n<div class=\"counts\">\n";
+  for (const auto& [verdict, number] : parts)
+    html += fmt::format("<div class=\"count {}\"><b>{}</b><span>{}</span></div>\n", verdict_class(verdict), number,
+                        to_string(verdict));
+  html += fmt::format(
+      "</div>\n<p class=\"soft\">{} in all. Beside the verdict on the paper, {} compared with our own accepted value: "
+      "{} of these regression gates hold, {} broken.</p>\n<div class=\"mosaic\">\n",
+      plural(contents.evaluations.size(), "claim"),
+      counts.gates_holding + counts.gates_broken == 1
+          ? "1 claim is"
+          : fmt::format("{} claims are", counts.gates_holding + counts.gates_broken),
+      counts.gates_holding, counts.gates_broken == 1 ? "1 is" : fmt::format("{} are", counts.gates_broken));
+  for (const auto& [place, group] : by_place(contents.evaluations)) {
+    html += fmt::format("<div><span class=\"soft\">{}</span><span class=\"cells\">", place_in_paper(place));
+    for (const Evaluation* evaluation : group) {
+      html += fmt::format("<a class=\"{0}-cell\" href=\"#{1}\" title=\"{1}: {2} ({3})\">{4}</a>",
+                          verdict_class(evaluation->verdict), escape_html(evaluation->claim.id),
+                          escape_html(evaluation->claim.quantity), to_string(evaluation->verdict),
+                          verdict_sign(evaluation->verdict));
+    }
+    html += "</span></div>\n";
+  }
+  return html + "</div>\n</section>\n";
+}
+
+std::string list(const std::vector<std::string>& items) {
+  std::string html = "<ul>";
+  for (const auto& item : items) html += "<li>" + prose_html(item) + "</li>";
+  return html + "</ul>";
+}
+
+std::string figure_section(const ReportContents& contents) {
+  std::map<std::string, std::string> titles;
+  for (const auto& figure : figures()) titles[figure.id] = figure.title;
+  const auto groups = by_place(contents.evaluations);
+  std::string html =
+      "<section id=\"figures\">\n<h2>Figures</h2>\n<p>The paper is drawn in black with open symbols or dashed lines, our "
+      "simulations in colour with 95 % intervals, laws as thin lines. A symbol stands only where a number exists: the "
+      "points of the paper's plots were never published as numbers, so only printed values appear.</p>\n";
+  for (const auto& figure : contents.figures) {
+    std::string files;
+    for (const char* format : {"svg", "png", "pdf", "gp"})
+      files += fmt::format("<a href=\"figures/{0}.{1}\">{1}</a>", figure.id, format);
+    std::string tables;
+    for (const auto& data : figure.data) {
+      const std::string name = escape_html(data.filename().string());
+      tables += fmt::format("<a href=\"figures/{0}\">{0}</a>", name);
+    }
+    std::string claims;
+    for (const auto& [place, group] : groups) {
+      if (place != figure.id) continue;
+      std::map<Verdict, std::size_t> counted;
+      for (const Evaluation* evaluation : group) ++counted[evaluation->verdict];
+      for (const auto& [verdict, number] : counted)
+        claims += fmt::format("<a class=\"badge {}\" href=\"#claims\" data-claims-of=\"{}\">{} {}</a> ",
+                              verdict_class(verdict), place, number, to_string(verdict));
+    }
+    const std::string notes =
+        figure.notes.empty()
+            ? ""
+            : fmt::format("<details><summary>What to know of the simulations behind it</summary>{}</details>",
+                          list(figure.notes));
+    html += fmt::format(
+        "<article class=\"card figure\" id=\"{0}\">\n<div class=\"picture\"><a href=\"figures/{0}.svg\"><img "
+        "src=\"figures/{0}.svg\" alt=\"{1}\" loading=\"lazy\" /></a></div>\n<div class=\"words\"><span "
+        "class=\"label\">{2}</span><h3>{10}</h3>\n<p>{3}</p>\n{4}\n{5}\n<div class=\"files\">{6}</div>\n"
+        "<details><summary>{8}</summary><div class=\"files\">{9}</div></details>\n"
+        "<p class=\"soft\">Simulate what is missing and draw it again:</p><code class=\"command\">build/slfb figures {0} "
+        "--profile {7}</code></div>\n</article>\n",
+        escape_html(figure.id), escape_html(titles[figure.id]), place_in_paper(figure.id), prose_html(figure.caption),
+        claims.empty() ? "" : "<p>" + claims + "</p>", notes, files, escape_html(contents.profile.name),
+        plural(figure.data.size(), "table") + " of data (CSV)", tables, prose_html(titles[figure.id]));
+  }
+  return html + "</section>\n";
+}
+
+/// What the paper says, with its unit where it is a number.
+std::string paper_side(const Claim& claim) {
+  const std::string text = prose_html(claim.paper_text());
+  const bool in_words = claim.kind == StatementKind::increasing || claim.kind == StatementKind::decreasing ||
+                        claim.kind == StatementKind::words;
+  return in_words ? text : with_unit(text, claim.unit);
+}
+
+std::string claim_row(const Evaluation& evaluation) {
+  const Claim& claim = evaluation.claim;
+  std::string ours, interval, deviation;
+  if (evaluation.ours) ours = with_unit(readable_number(*evaluation.ours), claim.unit);
+  if (evaluation.interval && evaluation.interval->second > evaluation.interval->first)
+    interval = fmt::format("<span class=\"id number\">{} … {}</span>", readable_number(evaluation.interval->first),
+                           readable_number(evaluation.interval->second));
+  if (evaluation.deviation) deviation = percentage(*evaluation.deviation);
+  std::string band;
+  if (claim.paper_band)
+    band = fmt::format("<span class=\"id\">band <span class=\"number\">{}</span></span>", band_text(*claim.paper_band));
+  const std::string gate = evaluation.gate == Gate::broken ? " <span class=\"badge not-reproduced\">gate broken</span>" : "";
+  return fmt::format(
+      "<tr id=\"{0}\" data-verdict=\"{1}\" data-figure=\"{2}\"><td class=\"lead\">{3}<span class=\"id\">{0} · {4}</span>"
+      "</td><td data-label=\"Verdict\"><div><span class=\"badge {1}\">{5} {6}</span>{7}</div></td><td data-label=\"Paper\">"
+      "<div>{8}{9}</div></td>{10}{11}<td class=\"reason\" data-label=\"Reason\">{12}</td>"
+      "</tr>\n",
+      escape_html(claim.id), verdict_class(evaluation.verdict), escape_html(claim.figure), prose_html(claim.quantity),
+      escape_html(claim.source), verdict_sign(evaluation.verdict), to_string(evaluation.verdict), gate,
+      paper_side(claim), band,
+      ours.empty() ? "<td data-label=\"Ours\"></td>"
+                   : fmt::format("<td data-label=\"Ours\"><div><span class=\"number\">{}</span>{}</div></td>", ours, interval),
+      deviation.empty() ? "<td data-label=\"Deviation\"></td>"
+                        : fmt::format("<td data-label=\"Deviation\"><span class=\"number\">{}</span></td>", deviation),
+      prose_html(evaluation.reason));
+}
+
+std::string claim_section(const ReportContents& contents) {
+  std::string options = "<option value=\"\">all of the paper</option>";
+  for (const auto& [place, group] : by_place(contents.evaluations))
+    options += fmt::format("<option value=\"{}\">{}</option>", escape_html(place), place_in_paper(place));
+  std::string html = fmt::format(
+      "<section id=\"claims\">\n<h2>Claims</h2>\n<p>A claim is one statement of the paper that a number can decide. It is "
+      "reproduced when our number lies in the band beside the paper's; the band is never widened to fit. Not decidable "
+      "means that the paper gives no number or no definition, or that the simulation is still to be made; the reason "
+      "says which. Small print under our number: its 95 % interval.</p>\n"
+      "<div class=\"filters\" role=\"group\" aria-label=\"filter the claims\"><button value=\"\" aria-pressed=\"true\">all"
+      "</button><button value=\"reproduced\">reproduced</button><button value=\"not-reproduced\">not reproduced</button>"
+      "<button value=\"not-decidable\">not decidable</button><select aria-label=\"place in the paper\">{}</select></div>\n"
+      "<p class=\"soft\" id=\"claims-shown\">{}</p>\n"
+      "<div class=\"card scroll\"><table class=\"stack claims\">\n<thead><tr><th>Claim</th><th>Verdict</th><th>Paper</th>"
+      "<th>Ours</th><th>Deviation</th><th>Reason</th></tr></thead>\n<tbody id=\"claim-rows\">\n",
+      options, plural(contents.evaluations.size(), "claim"));
+  for (const auto& [place, group] : by_place(contents.evaluations))
+    for (const Evaluation* evaluation : group) html += claim_row(*evaluation);
+  return html + "</tbody></table></div>\n</section>\n";
+}
+
+std::string inconsistency_section(const ReportContents& contents) {
+  std::string html =
+      "<section id=\"inconsistencies\">\n<h2>What does not add up</h2>\n<p>Places where the paper disagrees with itself or "
+      "with the laws it names. Every number here is computed by the suite from the printed ones; none is typed in.</p>\n"
+      "<div class=\"card scroll\"><table class=\"stack\">\n<thead><tr><th>Subject</th><th>Printed</th><th>Recomputed</th>"
+      "<th>Why</th></tr></thead>\n<tbody>\n";
+  for (const auto& row : contents.inconsistencies) {
+    html += fmt::format(
+        "<tr id=\"inconsistency-{}\"><td class=\"lead\">{}<span class=\"id\">{}</span></td><td data-label=\"Printed\"><span "
+        "class=\"number\">{}</span></td><td data-label=\"Recomputed\"><span class=\"number\">{}</span></td><td "
+        "class=\"reason\" data-label=\"Why\">{}</td></tr>\n",
+        escape_html(row.id), prose_html(row.subject), escape_html(row.source),
+        with_unit(readable_number(row.paper), row.unit), with_unit(readable_number(row.recomputed), row.unit),
+        prose_html(row.explanation));
+  }
+  return html + "</tbody></table></div>\n</section>\n";
+}
+
+std::string provenance_section(const ReportContents& contents) {
+  double wall_seconds = 0.0;
+  for (const auto& run : contents.runs) wall_seconds += run.result.wall_seconds;
+  std::string html = fmt::format(
+      "<section id=\"provenance\">\n<h2>Provenance</h2>\n<p>Written {:%Y-%m-%d %H:%M} UTC by slfb {}, numerics version {}. "
+      "A run is named by the hash of its scene and the numerics version, so that the same scene is never computed twice. "
+      "{} took {} of computing.</p>\n",
+      fmt::gmtime(std::chrono::system_clock::to_time_t(std::chrono::system_clock::now())), escape_html(SLFB_VERSION),
+      numerics_version, plural(contents.runs.size(), "simulation"), readable_duration(wall_seconds));
+  html += list(contents.profile.differences);
+  if (contents.runs.empty()) return html + "<p>No simulation is available yet.</p>\n</section>\n";
+  html +=
+      "<div class=\"card scroll\"><table class=\"stack\">\n<thead><tr><th>Run</th><th>Scene hash</th><th>Numerics</th>"
+      "<th>Simulated</th><th>Wall time</th><th>Threads</th><th>Machine</th><th>Date</th><th>From</th></tr></thead>\n<tbody>\n";
+  for (const auto& run : contents.runs) {
+    const RunResult& result = run.result;
+    html += fmt::format(
+        "<tr><td class=\"lead\">{}</td><td data-label=\"Scene hash\"><code>{}</code></td><td data-label=\"Numerics\">{}{}"
+        "</td><td data-label=\"Simulated\"><span class=\"number\">{}</span></td><td data-label=\"Wall time\"><span "
+        "class=\"number\">{}</span></td><td data-label=\"Threads\">{}</td><td data-label=\"Machine\">{}</td><td "
+        "data-label=\"Date\"><span class=\"number\">{}</span></td><td data-label=\"From\">{}</td></tr>\n",
+        escape_html(run_key(run.spec)), escape_html(result.name), result.numerics, run.stale ? " (older)" : "",
+        readable_duration(result.simulated_seconds), readable_duration(result.wall_seconds), result.threads,
+        escape_html(result.machine), escape_html(result.date), run.published ? "committed results" : "this machine");
+  }
+  return html + "</tbody></table></div>\n</section>\n";
+}
+
+/// The files of one figure, and only those: a figures folder may hold remains of earlier versions.
+void copy_figure(const FigureOutput& figure, const fs::path& from, const fs::path& to) {
+  std::vector<fs::path> files;
+  for (const char* format : {"svg", "png", "pdf", "gp"}) files.push_back(from / (figure.id + "." + format));
+  for (const auto& data : figure.data) files.push_back(from / data.filename());
+  for (const auto& file : files) {
+    std::error_code error;
+    fs::copy_file(file, to / file.filename(), fs::copy_options::overwrite_existing, error);
+    if (error) throw std::runtime_error(fmt::format("cannot copy {}: {}", file.string(), error.message()));
+  }
+}
+
+}  // namespace
+
+void write_report(const ReportContents& contents, const fs::path& figures_folder, const fs::path& folder) {
+  fs::create_directories(folder / "figures");
+  for (const auto& figure : contents.figures) copy_figure(figure, figures_folder, folder / "figures");
+
+  const fs::path source = fs::path(SLFB_SOURCE_DIR) / "reports";
+  std::string html = fmt::format(
+      "<!DOCTYPE html>\n<html lang=\"en\" class=\"no-script\">\n<head>\n<meta charset=\"utf-8\" />\n<meta name=\"viewport\" "
+      "content=\"width=device-width, initial-scale=1\" />\n<title>slfb report</title>\n<style>\n{}</style>\n</head>\n<body>\n",
+      read_file(source / "report.css"));
+  html += overview(contents);
+  html += figure_section(contents);
+  html += claim_section(contents);
+  html += inconsistency_section(contents);
+  html += law_section();
+  html += provenance_section(contents);
+  html += fmt::format("<footer>slfb {}. The numbers of the paper are facts quoted with their place in it.</footer>\n</main>\n"
+                      "<script>\n{}</script>\n</body>\n</html>\n",
+                      escape_html(SLFB_VERSION), read_file(source / "report.js"));
+  const fs::path file = folder / "index.html";
+  std::ofstream stream(file, std::ios::binary);
+  stream << html;
+  stream.close();
+  if (!stream) throw std::runtime_error(fmt::format("cannot write {}", file.string()));
+}
+
+}  // namespace slfb

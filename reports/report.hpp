@@ -1,0 +1,28 @@
+#pragma once
+
+#include <filesystem>
+#include <vector>
+
+#include "experiments/campaign.hpp"
+#include "experiments/claims.hpp"
+#include "experiments/figure.hpp"
+#include "experiments/inconsistencies.hpp"
+
+namespace slfb {
+
+/// What the report shows, beside the catalogue of laws.
+struct ReportContents {
+  const Profile& profile;
+  const std::vector<FinishedRun>& runs;
+  const std::vector<FigureOutput>& figures;  ///< what drawing slfb::figures() left
+  const std::vector<Evaluation>& evaluations;
+  const std::vector<Inconsistency>& inconsistencies;
+};
+
+/// Writes `folder`/index.html and copies every file of the figures from `figures_folder` to `folder`/figures, so that
+/// the report is one folder that can be moved, opened offline and read on a phone. Throws std::runtime_error naming
+/// the file that cannot be read or written.
+void write_report(const ReportContents& contents, const std::filesystem::path& figures_folder,
+                  const std::filesystem::path& folder);
+
+}  // namespace slfb

@@ -1,0 +1,46 @@
+# The look that all figures share. Colours are told apart by the colour-blind (Okabe and Ito's set, darkened a little
+# for thin lines); the paper is always black and open, our simulations are filled and coloured, laws are thin lines.
+set encoding utf8
+set datafile separator comma
+set datafile missing NaN
+set border 3 linewidth 1 linecolor rgb '#5b6470'
+set tics nomirror out scale 0.6 font ',13' textcolor rgb '#2b3138'
+set grid back linetype 1 linewidth 0.6 linecolor rgb '#e3e6ea'
+set key textcolor rgb '#2b3138' samplen 1.8 spacing 1.15
+set title font ',15' textcolor rgb '#14181d'
+set xlabel textcolor rgb '#14181d'
+set ylabel textcolor rgb '#14181d'
+set bars 0.6
+set lmargin 9
+
+paper = '#000000'
+ours = '#0072b2'
+variant = '#d55e00'
+second_variant = '#009e73'
+third_variant = '#aa4499'
+law_one = '#b0303c'
+law_two = '#3f7f5f'
+law_three = '#8a6d00'
+law_four = '#5a4fa2'
+quiet = '#8b939c'
+
+set style line 1 linecolor rgb paper linewidth 1.6 pointtype 6 pointsize 0.75 dashtype (9, 5)
+set style line 2 linecolor rgb ours linewidth 2 pointtype 7 pointsize 0.7
+set style line 3 linecolor rgb variant linewidth 2 pointtype 5 pointsize 0.7
+set style line 4 linecolor rgb second_variant linewidth 2 pointtype 9 pointsize 0.8
+set style line 5 linecolor rgb third_variant linewidth 2 pointtype 13 pointsize 0.8
+set style line 11 linecolor rgb law_one linewidth 1.5
+set style line 12 linecolor rgb law_two linewidth 1.5
+set style line 13 linecolor rgb law_three linewidth 1.5
+set style line 14 linecolor rgb law_four linewidth 1.5
+set style line 20 linecolor rgb quiet linewidth 1.2 dashtype (2, 4)
+
+# Viridis (public domain): even steps of the value are even steps to the eye, in colour and in grey.
+set palette defined (0 '#440154', 1 '#482878', 2 '#3e4989', 3 '#31688e', 4 '#26828e', 5 '#1f9e89', 6 '#35b779', \
+                     7 '#6ece58', 8 '#b5de2b', 9 '#fde725')
+
+# Single replicates behind the means of style lines 2 to 5.
+pale_2 = '#8fbfe0'
+pale_3 = '#edb48a'
+pale_4 = '#8fd0b8'
+pale_5 = '#d6a5cf'

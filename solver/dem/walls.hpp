@@ -1,0 +1,62 @@
+#pragma once
+
+#include <cmath>
+#include <vector>
+
+#include "solver/dem/vec3.hpp"
+#include "solver/scene/scene.hpp"
+
+namespace slfb::dem {
+
+/// A plane with inward unit normal along an axis, or the inside of a vertical cylinder about the z axis.
+struct Wall {
+  enum class Kind { plane, cylinder };
+  Kind kind = Kind::plane;
+  int axis = 2;           ///< plane: 0, 1, 2
+  double direction = 1;   ///< plane: the allowed side, +1 above `position`, −1 below
+  double position = 0.0;  ///< plane: coordinate; cylinder: radius [m]
+
+  /// True if a sphere of radius r at `point` does not touch the wall; without the root that gap() needs.
+  [[nodiscard]] bool clear_of(Vec3 point, double r) const {
+    if (kind == Kind::cylinder)
+      return point.x * point.x + point.y * point.y <= (position - r) * (position - r);
+    const double coordinate = axis == 0 ? point.x : axis == 1 ? point.y : point.z;
+    return direction * (coordinate - position) >= r;
+  }
+
+  /// Distance from the wall to a point inside, and the unit vector from the point towards the wall.
+  struct Gap {
+    double distance;
+    Vec3 outward;
+  };
+  [[nodiscard]] Gap gap(Vec3 point) const {
+    if (kind == Kind::cylinder) {
+      const double r = std::sqrt(point.x * point.x + point.y * point.y);
+      if (r == 0.0) return {position, {1.0, 0.0, 0.0}};
+      return {position - r, {point.x / r, point.y / r, 0.0}};
+    }
+    const double coordinate = axis == 0 ? point.x : axis == 1 ? point.y : point.z;
+    Vec3 outward;
+    (axis == 0 ? outward.x : axis == 1 ? outward.y : outward.z) = -direction;
+    return {direction * (coordinate - position), outward};
+  }
+};
+
+/// Distributor first, then the sides, then the lid if the scene has one. Boxes stand around the z axis.
+inline std::vector<Wall> walls_of(const Scene& scene) {
+  std::vector<Wall> walls{{Wall::Kind::plane, 2, 1.0, 0.0}};
+  const Geometry& geometry = scene.geometry;
+  if (geometry.shape == Shape::cylinder) {
+    walls.push_back({Wall::Kind::cylinder, 0, 1.0, 0.5 * geometry.diameter});
+  } else if (scene.fluid.wall != LateralBoundary::periodic) {
+    for (int axis : {0, 1}) {
+      const double half = 0.5 * geometry.width[static_cast<std::size_t>(axis)];
+      walls.push_back({Wall::Kind::plane, axis, 1.0, -half});
+      walls.push_back({Wall::Kind::plane, axis, -1.0, half});
+    }
+  }
+  if (scene.outlet.rule == OutletRule::lid) walls.push_back({Wall::Kind::plane, 2, -1.0, geometry.height});
+  return walls;
+}
+
+}  // namespace slfb::dem

@@ -1,0 +1,77 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+#include "solver/scene/scene.hpp"
+
+namespace slfb::fluid {
+
+/// Mesh of a vertical column: a section of square cells, cut by the round wall, extruded in equal layers.
+///
+/// Cut cells have their exact area; one smaller than half a square is joined to the neighbour towards the axis, so
+/// that no cell is tiny and the section area stays exact. Fields are stored column after column: index
+/// cell * layers + layer.
+class ColumnGrid {
+ public:
+  explicit ColumnGrid(const Scene& scene);
+
+  /// A vertical face between two cells of the section.
+  struct Face {
+    int first, second;   ///< cells on the lower and the upper side along the axis
+    double length;       ///< wetted length of the face in the section [m]
+    double distance;     ///< between the centroids along the axis [m]
+  };
+
+  [[nodiscard]] int cells() const { return static_cast<int>(area_.size()); }
+  [[nodiscard]] int layers() const { return layers_; }
+  [[nodiscard]] double cell_width() const { return width_; }
+  [[nodiscard]] double cell_height() const { return height_; }
+  [[nodiscard]] double column_height() const { return height_ * layers_; }
+  [[nodiscard]] int squares(std::size_t axis) const { return squares_[axis]; }
+  [[nodiscard]] double lower(std::size_t axis) const { return lower_[axis]; }
+  [[nodiscard]] double section_area() const { return section_area_; }
+  [[nodiscard]] double area(int cell) const { return area_[static_cast<std::size_t>(cell)]; }
+  [[nodiscard]] double volume(int cell) const { return area(cell) * height_; }
+  [[nodiscard]] const std::vector<double>& areas() const { return area_; }
+  /// Length of the wall in a cell [m]; 0 away from walls.
+  [[nodiscard]] double wall_length(int cell) const { return wall_length_[static_cast<std::size_t>(cell)]; }
+  /// Distance from the wall to the cell's centroid [m].
+  [[nodiscard]] double wall_distance(int cell) const { return wall_distance_[static_cast<std::size_t>(cell)]; }
+  /// Faces across x (axis 0) or y (axis 1).
+  [[nodiscard]] const std::vector<Face>& faces(std::size_t axis) const { return faces_[axis]; }
+  /// Face below (side 0) or above (side 1) a cell along an axis; -1 at a wall.
+  [[nodiscard]] int face_of(int cell, std::size_t axis, std::size_t side) const {
+    return face_of_[axis][2 * static_cast<std::size_t>(cell) + side];
+  }
+  /// Section cell of a square; squares outside the wall belong to the nearest cell, so that no volume is lost.
+  [[nodiscard]] int cell_of_square(int ix, int iy) const {
+    return cell_of_square_[static_cast<std::size_t>(iy * squares_[0] + ix)];
+  }
+  /// True if the centre of the square lies inside the column.
+  [[nodiscard]] bool square_inside(int ix, int iy) const;
+  [[nodiscard]] bool periodic() const { return periodic_; }
+  [[nodiscard]] std::size_t size() const { return static_cast<std::size_t>(cells() * layers_); }
+
+ private:
+  bool cylinder_ = true, periodic_ = false;
+  double radius_ = 0.0;
+  int layers_ = 1;
+  double width_ = 0.0, height_ = 0.0, section_area_ = 0.0;
+  std::array<int, 2> squares_{1, 1};
+  std::array<double, 2> lower_{0.0, 0.0}, spacing_{0.0, 0.0};
+  std::vector<double> area_, wall_length_, wall_distance_;
+  std::array<std::vector<Face>, 2> faces_;
+  std::array<std::vector<int>, 2> face_of_;
+  std::vector<int> cell_of_square_;
+
+ public:
+  /// Width of a square along an axis [m]; both are equal except where a box is not a whole number of squares deep.
+  [[nodiscard]] double spacing(std::size_t axis) const { return spacing_[axis]; }
+};
+
+/// Area of the part of the rectangle [x0, x1] x [y0, y1] inside the circle of radius R about the origin [m²]; exact.
+double circle_rectangle_area(double radius, double x0, double x1, double y0, double y1);
+
+}  // namespace slfb::fluid

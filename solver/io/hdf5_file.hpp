@@ -1,0 +1,90 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace slfb::io {
+
+/// How real numbers are stored; reading always gives doubles.
+enum class Storage { float64, float32 };
+
+/// Extents of a data set, slowest index first; empty: one dimension, as long as the values.
+using Shape = std::vector<std::size_t>;
+
+/// An open HDF5 file.
+///
+/// Objects are named by their path, "bed/time"; the groups above a data set are made when it is written. Every failure
+/// is a std::runtime_error that names the file, the object, what was tried and the reason HDF5 gives. Files may be used
+/// from several threads at once, each file from one thread at a time.
+class Hdf5File {
+ public:
+  /// An empty file; one that exists is replaced.
+  static Hdf5File create(const std::filesystem::path& file);
+  /// An existing file, for reading only.
+  static Hdf5File open(const std::filesystem::path& file);
+
+  Hdf5File(Hdf5File&& other) noexcept;
+  Hdf5File& operator=(Hdf5File&& other) noexcept;
+  ~Hdf5File();
+
+  /// Writes what is still buffered and closes the file. The destructor closes too, but cannot report a failure.
+  void close();
+
+  void write(const std::string& path, const std::vector<double>& values, const std::string& unit = "",
+             Storage storage = Storage::float64, const Shape& shape = {});
+  void write(const std::string& path, const std::vector<std::int64_t>& values, const Shape& shape = {});
+  void write(const std::string& path, const std::vector<std::uint32_t>& values, const Shape& shape = {});
+  void write(const std::string& path, const std::vector<std::uint8_t>& values, const Shape& shape = {});
+
+  /// Attributes of a data set or group; a group that does not exist yet is made. "/" is the root.
+  void write_attribute(const std::string& object, const std::string& name, double value);
+  void write_attribute(const std::string& object, const std::string& name, std::int64_t value);
+  void write_attribute(const std::string& object, const std::string& name, const std::vector<double>& values);
+  void write_attribute(const std::string& object, const std::string& name, const std::vector<std::int64_t>& values);
+  /// Stored with fixed length (VTK reads no other).
+  void write_attribute(const std::string& object, const std::string& name, const std::string& value);
+
+  [[nodiscard]] std::vector<double> read_doubles(const std::string& path) const;
+  [[nodiscard]] std::vector<std::int64_t> read_integers(const std::string& path) const;
+  [[nodiscard]] std::vector<std::uint32_t> read_unsigned(const std::string& path) const;
+  [[nodiscard]] Shape shape(const std::string& path) const;
+
+  [[nodiscard]] double read_double_attribute(const std::string& object, const std::string& name) const;
+  [[nodiscard]] std::int64_t read_integer_attribute(const std::string& object, const std::string& name) const;
+  [[nodiscard]] std::vector<std::int64_t> read_integers_attribute(const std::string& object,
+                                                                  const std::string& name) const;
+  [[nodiscard]] std::vector<double> read_doubles_attribute(const std::string& object, const std::string& name) const;
+  [[nodiscard]] std::string read_string_attribute(const std::string& object, const std::string& name) const;
+
+  [[nodiscard]] bool exists(const std::string& path) const;
+  [[nodiscard]] bool has_attribute(const std::string& object, const std::string& name) const;
+  /// Names of the data sets and groups in a group, in alphabetical order.
+  [[nodiscard]] std::vector<std::string> children(const std::string& group) const;
+  [[nodiscard]] const std::filesystem::path& file() const { return file_; }
+
+ private:
+  Hdf5File(std::filesystem::path file, std::int64_t handle) : file_(std::move(file)), handle_(handle) {}
+
+  void write_values(const std::string& path, const void* values, std::size_t count, std::int64_t memory_type,
+                    std::int64_t file_type, const Shape& shape, const std::string& unit);
+  void write_attribute_values(const std::string& object, const std::string& name, const void* values,
+                              std::int64_t memory_type, std::int64_t file_type, std::int64_t space);
+  template <class Value>
+  [[nodiscard]] std::vector<Value> read_values(const std::string& path, std::int64_t memory_type) const;
+  template <class Value>
+  [[nodiscard]] std::vector<Value> read_attribute_values(const std::string& object, const std::string& name,
+                                                         std::int64_t memory_type) const;
+  [[noreturn]] void fail(const std::string& tried, const std::string& object) const;
+
+  std::filesystem::path file_;
+  std::int64_t handle_ = -1;  ///< HDF5's hid_t; negative: closed
+};
+
+/// Writes a file so that a reader or a crash never meets half of it: `fill` gets a temporary beside `file`, which then
+/// takes its place. Missing folders are made.
+void write_atomically(const std::filesystem::path& file, const std::function<void(Hdf5File&)>& fill);
+
+}  // namespace slfb::io

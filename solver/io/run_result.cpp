@@ -1,0 +1,155 @@
+#include "solver/io/run_result.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <stdexcept>
+
+#include "solver/io/hdf5_file.hpp"
+
+namespace slfb {
+namespace {
+
+using io::Hdf5File;
+using io::Storage;
+
+/// One data set of a group: its name in the file, its unit (UDUNITS spelling) and where it belongs in memory.
+template <class Group>
+struct Column {
+  const char* name;
+  const char* unit;
+  std::vector<double> Group::*values;
+  Storage storage = Storage::float32;
+};
+
+constexpr std::array bed_columns{
+    Column<BedSeries>{"time", "s", &BedSeries::time, Storage::float64},
+    Column<BedSeries>{"pressure_drop", "Pa", &BedSeries::pressure_drop},
+    Column<BedSeries>{"centre_of_mass_height", "m", &BedSeries::centre_of_mass_height},
+    Column<BedSeries>{"bed_top", "m", &BedSeries::bed_top},
+    Column<BedSeries>{"fluctuating_energy", "m2 s-2", &BedSeries::fluctuating_energy},
+    Column<BedSeries>{"contacts_per_particle", "1", &BedSeries::contacts_per_particle},
+    Column<BedSeries>{"maximum_overlap", "1", &BedSeries::maximum_overlap},
+    Column<BedSeries>{"foreign_present", "1", &BedSeries::foreign_present},
+};
+
+constexpr std::array drop_columns{
+    Column<DropSeries>{"time", "s", &DropSeries::time, Storage::float64},
+    Column<DropSeries>{"x", "m", &DropSeries::x},
+    Column<DropSeries>{"y", "m", &DropSeries::y},
+    Column<DropSeries>{"z", "m", &DropSeries::z},
+    Column<DropSeries>{"velocity_x", "m s-1", &DropSeries::velocity_x},
+    Column<DropSeries>{"velocity_y", "m s-1", &DropSeries::velocity_y},
+    Column<DropSeries>{"velocity_z", "m s-1", &DropSeries::velocity_z},
+    Column<DropSeries>{"angular_speed", "rad s-1", &DropSeries::angular_speed},
+    Column<DropSeries>{"voidage", "1", &DropSeries::voidage},
+    Column<DropSeries>{"liquid_velocity_z", "m s-1", &DropSeries::liquid_velocity_z},
+    Column<DropSeries>{"reynolds", "1", &DropSeries::reynolds},
+    Column<DropSeries>{"contact_force", "N", &DropSeries::contact_force},
+    Column<DropSeries>{"contact_force_mean_x", "N", &DropSeries::contact_force_mean_x},
+    Column<DropSeries>{"contact_force_mean_y", "N", &DropSeries::contact_force_mean_y},
+    Column<DropSeries>{"contact_force_mean_z", "N", &DropSeries::contact_force_mean_z},
+    Column<DropSeries>{"drag_force_z", "N", &DropSeries::drag_force_z},
+    Column<DropSeries>{"pressure_force_z", "N", &DropSeries::pressure_force_z},
+    Column<DropSeries>{"contacts", "1", &DropSeries::contacts},
+    Column<DropSeries>{"cumulative_contacts", "1", &DropSeries::cumulative_contacts},
+};
+
+constexpr std::array plane_columns{
+    Column<PlaneField>{"x", "m", &PlaneField::x, Storage::float64},
+    Column<PlaneField>{"z", "m", &PlaneField::z, Storage::float64},
+    Column<PlaneField>{"voidage", "1", &PlaneField::voidage},
+    Column<PlaneField>{"velocity_x", "m s-1", &PlaneField::velocity_x},
+    Column<PlaneField>{"velocity_z", "m s-1", &PlaneField::velocity_z},
+};
+
+template <class Columns, class Group>
+void write_columns(Hdf5File& file, const std::string& group, const Columns& columns, const Group& values) {
+  for (const auto& column : columns) {
+    file.write(fmt::format("{}/{}", group, column.name), values.*column.values, column.unit, column.storage);
+  }
+}
+
+template <class Columns, class Group>
+void read_columns(const Hdf5File& file, const std::string& group, const Columns& columns, Group& values) {
+  for (const auto& column : columns) {
+    values.*column.values = file.read_doubles(fmt::format("{}/{}", group, column.name));
+  }
+}
+
+/// A single number with a unit is a data set of one value, so that it too carries the attribute.
+double read_number(const Hdf5File& file, const std::string& path) {
+  const std::vector<double> values = file.read_doubles(path);
+  if (values.size() == 1) return values.front();
+  throw std::runtime_error(
+      fmt::format("{}: \"{}\" holds {} values instead of one", file.file().string(), path, values.size()));
+}
+
+std::string drop_group(std::int64_t number) { return fmt::format("drops/{:04}", number); }
+
+}  // namespace
+
+void save_result(const RunResult& result, const std::filesystem::path& file) {
+  io::write_atomically(file, [&](Hdf5File& target) {
+    target.write_attribute("/", "name", result.name);
+    target.write_attribute("/", "scene", result.scene_text);
+    target.write_attribute("/", "numerics_version", std::int64_t{result.numerics});
+    target.write_attribute("/", "suite_version", result.suite_version);
+    target.write_attribute("/", "machine", result.machine);
+    target.write_attribute("/", "date", result.date);
+    target.write_attribute("/", "threads", std::int64_t{result.threads});
+    target.write_attribute("/", "wall_seconds", result.wall_seconds);
+    target.write_attribute("/", "cpu_seconds", result.cpu_seconds);
+    target.write_attribute("/", "simulated_seconds", result.simulated_seconds);
+    target.write_attribute("/", "particle_steps", result.particle_steps);
+    target.write_attribute("/", "particles_removed", result.particles_removed);
+    target.write("packed_bed/voidage", {result.packed_voidage}, "1");
+    target.write("packed_bed/height", {result.packed_height}, "m");
+    write_columns(target, "bed", bed_columns, result.bed);
+    target.write_attribute("drops", "count", static_cast<std::int64_t>(result.drops.size()));
+    for (std::size_t i = 0; i < result.drops.size(); ++i) {
+      const DropSeries& drop = result.drops[i];
+      const std::string group = drop_group(static_cast<std::int64_t>(i));
+      target.write_attribute(group, "species", drop.species);
+      target.write(group + "/release_time", {drop.release_time}, "s");
+      target.write(group + "/bottom_time", {drop.bottom_time}, "s");
+      write_columns(target, group, drop_columns, drop);
+    }
+    target.write("plane/time", {result.plane.time}, "s");
+    write_columns(target, "plane", plane_columns, result.plane);
+  });
+}
+
+RunResult load_result(const std::filesystem::path& file) {
+  const Hdf5File source = Hdf5File::open(file);
+  RunResult result;
+  result.name = source.read_string_attribute("/", "name");
+  result.scene_text = source.read_string_attribute("/", "scene");
+  result.numerics = static_cast<int>(source.read_integer_attribute("/", "numerics_version"));
+  result.suite_version = source.read_string_attribute("/", "suite_version");
+  result.machine = source.read_string_attribute("/", "machine");
+  result.date = source.read_string_attribute("/", "date");
+  result.threads = static_cast<int>(source.read_integer_attribute("/", "threads"));
+  result.wall_seconds = source.read_double_attribute("/", "wall_seconds");
+  result.cpu_seconds = source.read_double_attribute("/", "cpu_seconds");
+  result.simulated_seconds = source.read_double_attribute("/", "simulated_seconds");
+  result.particle_steps = source.read_integer_attribute("/", "particle_steps");
+  result.particles_removed = source.read_integer_attribute("/", "particles_removed");
+  result.packed_voidage = read_number(source, "packed_bed/voidage");
+  result.packed_height = read_number(source, "packed_bed/height");
+  read_columns(source, "bed", bed_columns, result.bed);
+  const std::int64_t drops = source.read_integer_attribute("drops", "count");
+  for (std::int64_t i = 0; i < drops; ++i) {
+    DropSeries& drop = result.drops.emplace_back();
+    const std::string group = drop_group(i);
+    drop.species = source.read_string_attribute(group, "species");
+    drop.release_time = read_number(source, group + "/release_time");
+    drop.bottom_time = read_number(source, group + "/bottom_time");
+    read_columns(source, group, drop_columns, drop);
+  }
+  result.plane.time = read_number(source, "plane/time");
+  read_columns(source, "plane", plane_columns, result.plane);
+  return result;
+}
+
+}  // namespace slfb

@@ -1,0 +1,357 @@
+#include "solver/scene/scene_checks.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <stdexcept>
+
+#include "correlations/drag/drag_laws.hpp"
+#include "solver/scene/scene_description.hpp"
+#include "solver/scene/scene_file.hpp"
+
+namespace slfb::description {
+namespace {
+
+/// Solid fraction of a random close packing of equal spheres: denser than any bed that settles on its own.
+constexpr double densest_packing = 0.64;
+
+double sphere_volume(const Species& species) { return std::numbers::pi / 6.0 * std::pow(species.diameter, 3); }
+
+double sphere_mass(const Species& species) { return species.density * sphere_volume(species); }
+
+std::string with_unit(double value, const units::Dimension& dimension) {
+  return dimension.unit == "1" ? shortest(value) : fmt::format("{} {}", shortest(value), dimension.unit);
+}
+
+/// For messages: four digits are enough to act on.
+std::string rounded(double value) { return fmt::format("{:.4g}", value); }
+
+/// Each value alone against its range.
+class RangeCheck {
+ public:
+  explicit RangeCheck(Problems& problems) : problems_(problems) {}
+
+  template <class Body>
+  void section(const std::string& name, Body body) {
+    prefix_ = name + ".";
+    body();
+  }
+  template <class Item, class Body>
+  void sections(const std::string& name, std::vector<Item>& items, Body body) {
+    for (std::size_t i = 0; i < items.size(); ++i) {
+      prefix_ = fmt::format("{}[{}].", name, i);
+      body(items[i]);
+    }
+  }
+  void text(const std::string& key, const std::string& value, Presence presence) {
+    if (presence.rule == Presence::Rule::required && value.empty()) {
+      problems_.add(prefix_ + key, "\"\"", "is empty; needed is a text");
+    }
+  }
+  void boolean(const std::string&, bool, Presence) {}
+  template <class Integer>
+  void integer(const std::string& key, Integer value, const Allowed& allowed, Presence presence) {
+    check(key, static_cast<double>(value), fmt::format("{}", value), allowed, presence);
+  }
+  void number(const std::string& key, double value, const units::Dimension& dimension, const Allowed& allowed,
+              Presence presence) {
+    check(key, value, with_unit(value, dimension), allowed, presence);
+  }
+  void pair(const std::string& key, const std::array<double, 2>& value, const units::Dimension& dimension,
+            const Allowed& allowed, Presence presence) {
+    for (const double item : value) check(key, item, with_unit(item, dimension), allowed, presence);
+  }
+  template <class Enum, std::size_t N>
+  void choice(const std::string&, Enum, const std::array<Choice<Enum>, N>&, Presence) {}
+  void particle_count(const Species& species) { integer("count", species.count, zero_to_a_billion, optional); }
+
+ private:
+  void check(const std::string& key, double value, const std::string& printed, const Allowed& allowed,
+             Presence presence) {
+    if (presence.rule == Presence::Rule::meaningless || (std::isfinite(value) && allowed.contains(value))) return;
+    problems_.add(prefix_ + key, printed, fmt::format("out of range; allowed is {}", allowed.words));
+  }
+
+  Problems& problems_;
+  std::string prefix_;
+};
+
+/// What the values mean together. Runs only on values that are in range.
+class PhysicsCheck {
+ public:
+  PhysicsCheck(const Scene& scene, Problems& problems) : scene_(scene), problems_(problems) {}
+
+  void run() {
+    check_species();
+    check_column();
+    check_fluid();
+    check_contact();
+    check_coupling();
+    check_stages();
+    check_recording();
+  }
+
+ private:
+  template <class... Args>
+  void problem(const std::string& path, std::string_view value, fmt::format_string<Args...> message, Args&&... args) {
+    problems_.add(path, value, fmt::format(message, std::forward<Args>(args)...));
+  }
+
+  [[nodiscard]] static std::string species_key(std::size_t i, std::string_view key) {
+    return fmt::format("species[{}].{}", i, key);
+  }
+
+  /// Smallest lateral extent.
+  [[nodiscard]] double column_width() const {
+    const auto& g = scene_.geometry;
+    return g.shape == Shape::cylinder ? g.diameter : std::min(g.width[0], g.width[1]);
+  }
+
+  [[nodiscard]] std::string width_path() const {
+    return scene_.geometry.shape == Shape::cylinder ? "geometry.diameter" : "geometry.width";
+  }
+
+  [[nodiscard]] double cross_section() const {
+    const auto& g = scene_.geometry;
+    return g.shape == Shape::cylinder ? std::numbers::pi / 4.0 * g.diameter * g.diameter : g.width[0] * g.width[1];
+  }
+
+  /// Height that the bed takes at the least.
+  [[nodiscard]] double densest_bed_height() const {
+    double volume = 0.0;
+    for (const Species& s : scene_.species) volume += static_cast<double>(s.count) * sphere_volume(s);
+    return volume / (densest_packing * cross_section());
+  }
+
+  void check_species() {
+    const auto& species = scene_.species;
+    if (species.empty()) problem("species", "[]", "is missing; needed is at least one table, written [[species]]");
+    for (std::size_t i = 0; i < species.size(); ++i) {
+      const std::string& name = species[i].name;
+      const auto is_name_character = [](unsigned char c) { return std::isalnum(c) != 0 || c == '-' || c == '_'; };
+      if (!std::ranges::all_of(name, is_name_character)) {
+        problem(species_key(i, "name"), name,
+                "holds a character that names of data sets cannot hold; allowed are letters, digits, \"-\" and \"_\"");
+      }
+      const auto first = std::ranges::find(species, name, &Species::name);
+      if (first != species.begin() + static_cast<std::ptrdiff_t>(i)) {
+        problem(species_key(i, "name"), name, "is the name of an earlier species; allowed is a name of its own");
+      }
+      const bool dropped =
+          std::ranges::any_of(scene_.stages, [&](const Stage& stage) { return stage.species == name; });
+      if (species[i].count == 0 && !dropped) {
+        problem(species_key(i, "count"), "0",
+                "the species is neither in the bed nor dropped; needed is count, total_mass or a drop stage of it");
+      }
+    }
+  }
+
+  void check_column() {
+    const auto& geometry = scene_.geometry;
+    const bool periodic = scene_.fluid.wall == LateralBoundary::periodic;
+    // Across a periodic direction a sphere must not meet a neighbour and that neighbour's image at once.
+    const double room = (periodic ? 0.5 : 1.0) * column_width();
+    for (std::size_t i = 0; i < scene_.species.size(); ++i) {
+      const double diameter = scene_.species[i].diameter;
+      if (diameter >= room) {
+        problem(species_key(i, "diameter"), with_unit(diameter, units::length),
+                "the sphere does not fit between the walls; allowed is less than {} m ({}{})", rounded(room),
+                periodic ? "half of " : "", width_path());
+      } else if (diameter >= geometry.height) {
+        problem(species_key(i, "diameter"), with_unit(diameter, units::length),
+                "the sphere is taller than the column; allowed is less than {} m (geometry.height)",
+                rounded(geometry.height));
+      }
+    }
+    const double needed = densest_bed_height();
+    if (needed > geometry.height) {
+      problem("geometry.height", with_unit(geometry.height, units::length),
+              "the bed does not fit into the column; packed as densely as spheres go (solid fraction {}) it is {} m "
+              "high, allowed is a greater height, a wider column or fewer particles",
+              densest_packing, rounded(needed));
+    }
+  }
+
+  void check_fluid() {
+    const auto& fluid = scene_.fluid;
+    const auto& geometry = scene_.geometry;
+    if (fluid.wall == LateralBoundary::periodic && geometry.shape == Shape::cylinder) {
+      problem("fluid.wall", "\"periodic\"",
+              "a cylinder has no opposite sides; allowed is \"no-slip\" or \"slip\", or "
+              "geometry.shape = \"box\"");
+    }
+    if (fluid.tier == FluidTier::quiescent) {
+      if (scene_.liquid.superficial_velocity > 0.0) {
+        problem("liquid.superficial_velocity", with_unit(scene_.liquid.superficial_velocity, units::velocity),
+                "the quiescent tier has liquid at rest; allowed is 0, or fluid.tier = \"one-dimensional\" or "
+                "\"three-dimensional\"");
+      }
+      return;
+    }
+    const double steps = fluid.time_step / scene_.contact.time_step;
+    if (steps < 1.0 - 1e-9 || std::abs(steps - std::round(steps)) > 1e-9 * steps) {
+      problem("fluid.time_step", with_unit(fluid.time_step, units::time),
+              "is {} contact steps; allowed is a whole multiple of contact.time_step = {} s", shortest(steps),
+              shortest(scene_.contact.time_step));
+    }
+    if (fluid.cell_height > geometry.height) {
+      problem("fluid.cell_height", with_unit(fluid.cell_height, units::length),
+              "is more than the column; allowed is at most {} m (geometry.height)", shortest(geometry.height));
+    }
+    check_cell_size("fluid.cell_height", with_unit(fluid.cell_height, units::length), fluid.cell_height);
+    if (fluid.tier == FluidTier::three_dimensional) {
+      const double extent = geometry.shape == Shape::cylinder ? geometry.diameter : geometry.width[0];
+      check_cell_size("fluid.cells_across", fmt::format("{}", fluid.cells_across), extent / fluid.cells_across);
+    }
+  }
+
+  /// The averaged equations hold on cells that hold some liquid. A cell below half the smallest sphere can lie inside
+  /// one; and the centroid scheme puts a whole sphere into one cell, which must then have room for the largest.
+  void check_cell_size(const std::string& path, const std::string& value, double size) {
+    if (scene_.species.empty()) return;
+    const auto [small, large] = std::ranges::minmax(scene_.species, {}, &Species::diameter);
+    const bool centroid = scene_.coupling.void_fraction == VoidFractionScheme::centroid;
+    const double least = centroid ? large.diameter : 0.5 * small.diameter;
+    if (size >= least * (1.0 - 1e-9)) return;
+    problem(path, value, "gives cells of {} m, {}; allowed are cells of {} m or more", rounded(size),
+            centroid ? "smaller than the largest sphere, which the centroid scheme puts into one cell as a whole"
+                     : "smaller than half the smallest sphere, so that a cell could hold no liquid at all",
+            rounded(least));
+  }
+
+  void check_contact() {
+    const double bound = contact_time_step_bound(scene_);
+    const auto& contact = scene_.contact;
+    if (contact.allow_large_time_step || contact.time_step <= bound) return;
+    problem("contact.time_step", with_unit(contact.time_step, units::time),
+            "is above the bound 1/ω_0 = sqrt(m_eff/k_n) = {} s of the lightest pair; allowed is at most that, a softer "
+            "contact.stiffness, or contact.allow_large_time_step = true",
+            rounded(bound));
+  }
+
+  void check_coupling() {
+    try {
+      drag::with_drag_law(scene_.coupling.drag_law, [](const auto&) {});
+    } catch (const std::invalid_argument&) {
+      problem("coupling.drag_law", fmt::format("\"{}\"", scene_.coupling.drag_law), "unknown drag law; allowed is {}",
+              law_names<drag::DragLaws>());
+    }
+  }
+
+  void check_stages() {
+    const auto& stages = scene_.stages;
+    if (stages.empty()) problem("stage", "[]", "is missing; needed is at least one table, written [[stage]]");
+    bool fluidised = false;
+    for (std::size_t i = 0; i < stages.size(); ++i) {
+      const Stage& stage = stages[i];
+      const std::string kind_path = fmt::format("stage[{}].kind", i);
+      const std::string kind = fmt::format("\"{}\"", word_of(stage.kind, stage_kinds));
+      // One clock starts with the fluidisation; a second one, or a bed that settles later, would have no time zero.
+      if (i > 0 &&
+          (stage.kind < stages[i - 1].kind || (stage.kind == stages[i - 1].kind && stage.kind != StageKind::drop))) {
+        problem(
+            kind_path, kind,
+            "comes after \"{}\"; allowed is at most one settle, then at most one fluidise, then any number of drops",
+            word_of(stages[i - 1].kind, stage_kinds));
+      }
+      if (stage.kind == StageKind::fluidise) {
+        fluidised = true;
+        if (scene_.liquid.superficial_velocity == 0.0) {
+          problem(kind_path, kind, "nothing flows; needed is liquid.superficial_velocity greater than zero");
+        }
+      }
+      if (stage.kind == StageKind::drop) check_drop(i, fluidised);
+    }
+  }
+
+  void check_drop(std::size_t i, bool fluidised) {
+    const Stage& stage = scene_.stages[i];
+    if (!fluidised && scene_.liquid.superficial_velocity > 0.0) {
+      problem(fmt::format("stage[{}].kind", i), "\"drop\"",
+              "nothing has fluidised the bed yet; needed is a stage of kind = \"fluidise\" before it");
+    }
+    const auto species = std::ranges::find(scene_.species, stage.species, &Species::name);
+    if (species == scene_.species.end()) {
+      std::string names;
+      for (const Species& s : scene_.species) names += fmt::format("{}\"{}\"", names.empty() ? "" : ", ", s.name);
+      problem(fmt::format("stage[{}].species", i), fmt::format("\"{}\"", stage.species),
+              "no species of that name; allowed is {}", names);
+      return;
+    }
+    const double radius = 0.5 * species->diameter;
+    const double height = scene_.geometry.height;
+    const std::string path = fmt::format("stage[{}].release_height", i);
+    const std::string value = with_unit(stage.release_height, units::length);
+    const double packed = densest_bed_height();
+    const double slack = 1e-9 * height;
+    if (stage.release_height + radius > height + slack || stage.release_height - radius < -slack) {
+      problem(path, value, "the sphere would stick out of the column; allowed is {} m to {} m for its centre",
+              shortest(radius), shortest(height - radius));
+    } else if (stage.release_height - radius < packed) {
+      problem(path, value,
+              "the sphere would start inside the bed, which is at least {} m high; allowed is {} m or more",
+              rounded(packed), rounded(packed + radius));
+    }
+  }
+
+  void check_recording() {
+    const auto& recording = scene_.recording;
+    const double step = scene_.contact.time_step;
+    const auto check = [&](const std::string& key, double interval) {
+      if (interval >= step * (1.0 - 1e-9)) return;
+      problem("recording." + key, with_unit(interval, units::time),
+              "is shorter than a step; allowed is contact.time_step = {} s or more", shortest(step));
+    };
+    check("bed_interval", recording.bed_interval);
+    check("drop_interval", recording.drop_interval);
+    if (recording.snapshot_interval > 0.0) check("snapshot_interval", recording.snapshot_interval);
+  }
+
+  const Scene& scene_;
+  Problems& problems_;
+};
+
+}  // namespace
+
+std::string shortest(double value) { return fmt::format("{}", value); }
+
+void check_scene(const Scene& scene, Problems& problems) {
+  RangeCheck ranges(problems);
+  Scene copy = scene;
+  describe(ranges, copy);
+  problems.raise();
+  PhysicsCheck(scene, problems).run();
+  problems.raise();
+}
+
+}  // namespace slfb::description
+
+namespace slfb {
+
+double contact_time_step_bound(const Scene& scene) {
+  const auto is_dropped = [&](const Species& species) {
+    return std::ranges::any_of(scene.stages, [&](const Stage& stage) {
+      return stage.kind == StageKind::drop && stage.species == species.name;
+    });
+  };
+  double lightest = std::numeric_limits<double>::infinity();
+  for (const Species& a : scene.species) {
+    const double mass = description::sphere_mass(a);
+    const std::int64_t present = a.count + (is_dropped(a) ? 1 : 0);
+    if (present >= 1) lightest = std::min(lightest, mass);  // against a wall
+    if (present >= 2) lightest = std::min(lightest, mass / 2.0);
+    if (present == 0) continue;
+    for (const Species& b : scene.species) {
+      // Dropped spheres are in the column one at a time, so at least one of a pair is of the bed.
+      if (&a == &b || a.count == 0 || (b.count == 0 && !is_dropped(b))) continue;
+      const double other = description::sphere_mass(b);
+      lightest = std::min(lightest, mass * other / (mass + other));
+    }
+  }
+  return std::sqrt(lightest / scene.contact.stiffness);
+}
+
+}  // namespace slfb

@@ -1,0 +1,161 @@
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <limits>
+#include <string_view>
+#include <vector>
+
+#include "solver/scene/scene.hpp"
+#include "solver/scene/units.hpp"
+
+/// Every key of a scene file, once: where it goes, what it measures and what it may be. The reader, the writer and
+/// the range check walk this description, so that none of them can know a key that the others do not.
+namespace slfb::description {
+
+/// Interval of the values allowed, in SI.
+struct Allowed {
+  double lower = -std::numeric_limits<double>::infinity();
+  bool lower_included = false;
+  double upper = std::numeric_limits<double>::infinity();
+  bool upper_included = false;
+  std::string_view words;
+  [[nodiscard]] constexpr bool contains(double value) const {
+    return (lower_included ? value >= lower : value > lower) && (upper_included ? value <= upper : value < upper);
+  }
+};
+
+inline constexpr double no_limit = std::numeric_limits<double>::infinity();
+inline constexpr Allowed positive{0.0, false, no_limit, false, "greater than zero"};
+inline constexpr Allowed not_negative{0.0, true, no_limit, false, "zero or greater"};
+inline constexpr Allowed above_zero_to_one{0.0, false, 1.0, true, "greater than 0 and at most 1"};
+inline constexpr Allowed between_zero_and_one{0.0, false, 1.0, false, "between 0 and 1"};
+/// Whole numbers: what TOML's signed integers and the arrays behind them hold.
+inline constexpr Allowed one_to_a_million{1.0, true, 1e6, true, "a whole number from 1 to 1000000"};
+inline constexpr Allowed zero_to_a_billion{0.0, true, 1e9, true, "a whole number from 0 to 1000000000"};
+
+/// Whether a key must be there, may be there, or has no meaning beside the values read before it.
+struct Presence {
+  enum class Rule { required, optional, meaningless } rule;
+  std::string_view reason;
+};
+inline constexpr Presence required{Presence::Rule::required, {}};
+inline constexpr Presence optional{Presence::Rule::optional, {}};
+constexpr Presence required_if(bool condition, std::string_view reason) {
+  return condition ? required : Presence{Presence::Rule::meaningless, reason};
+}
+
+constexpr Presence optional_if(bool condition, std::string_view reason) {
+  return condition ? optional : Presence{Presence::Rule::meaningless, reason};
+}
+
+template <class Enum>
+struct Choice {
+  std::string_view word;
+  Enum value;
+};
+template <class Enum>
+Choice(std::string_view, Enum) -> Choice<Enum>;  // clang 14 does not deduce it for aggregates
+
+inline constexpr std::array shapes{Choice{"cylinder", Shape::cylinder}, Choice{"box", Shape::box}};
+inline constexpr std::array tiers{Choice{"quiescent", FluidTier::quiescent},
+                                  Choice{"one-dimensional", FluidTier::one_dimensional},
+                                  Choice{"three-dimensional", FluidTier::three_dimensional}};
+inline constexpr std::array walls{Choice{"no-slip", LateralBoundary::no_slip}, Choice{"slip", LateralBoundary::slip},
+                                  Choice{"periodic", LateralBoundary::periodic}};
+inline constexpr std::array convections{Choice{"upwind", ConvectionScheme::upwind},
+                                        Choice{"quick", ConvectionScheme::quick}};
+inline constexpr std::array pressure_velocities{Choice{"projection", PressureVelocity::projection},
+                                                Choice{"simple", PressureVelocity::simple}};
+inline constexpr std::array void_fractions{Choice{"centroid", VoidFractionScheme::centroid},
+                                           Choice{"particle-meshing", VoidFractionScheme::particle_meshing},
+                                           Choice{"exact-overlap", VoidFractionScheme::exact_overlap}};
+inline constexpr std::array outlet_rules{Choice{"lid", OutletRule::lid}, Choice{"remove", OutletRule::remove}};
+inline constexpr std::array stage_kinds{Choice{"settle", StageKind::settle}, Choice{"fluidise", StageKind::fluidise},
+                                        Choice{"drop", StageKind::drop}};
+
+template <class Enum, std::size_t N>
+std::string_view word_of(Enum value, const std::array<Choice<Enum>, N>& choices) {
+  return std::ranges::find(choices, value, &Choice<Enum>::value)->word;
+}
+
+/// Walks the scene. A visitor has text, boolean, integer, number, pair, choice and particle_count, each called with the
+/// key, the place and the rules; section(name, body) and sections(name, items, body) open the tables.
+template <class Visitor>
+void describe(Visitor& visitor, Scene& scene) {
+  namespace u = units;
+  visitor.text("title", scene.title, optional);
+  visitor.integer("seed", scene.seed, Allowed{0.0, true, 0x1p63, false, "a whole number below 2^63"}, optional);
+  visitor.section("geometry", [&] {
+    auto& geometry = scene.geometry;
+    visitor.choice("shape", geometry.shape, shapes, required);
+    visitor.number("diameter", geometry.diameter, u::length, positive,
+                   required_if(geometry.shape == Shape::cylinder, "it belongs to shape = \"cylinder\""));
+    visitor.pair("width", geometry.width, u::length, positive,
+                 required_if(geometry.shape == Shape::box, "it belongs to shape = \"box\""));
+    visitor.number("height", geometry.height, u::length, positive, required);
+  });
+  visitor.section("liquid", [&] {
+    auto& liquid = scene.liquid;
+    visitor.number("density", liquid.density, u::density, positive, required);
+    visitor.number("viscosity", liquid.viscosity, u::viscosity, positive, required);
+    visitor.number("superficial_velocity", liquid.superficial_velocity, u::velocity, not_negative, required);
+  });
+  visitor.section("fluid", [&] {
+    auto& fluid = scene.fluid;
+    visitor.choice("tier", fluid.tier, tiers, required);
+    const Presence flowing = fluid.tier == FluidTier::quiescent ? optional : required;
+    visitor.choice("wall", fluid.wall, walls, optional);
+    visitor.integer("cells_across", fluid.cells_across, one_to_a_million, optional);
+    visitor.number("cell_height", fluid.cell_height, u::length, positive, flowing);
+    visitor.choice("convection", fluid.convection, convections, optional);
+    visitor.choice("pressure_velocity", fluid.pressure_velocity, pressure_velocities, optional);
+    visitor.number("time_step", fluid.time_step, u::time, positive, flowing);
+    visitor.number("pressure_tolerance", fluid.pressure_tolerance, u::ratio, between_zero_and_one, optional);
+    visitor.number("simple_tolerance", fluid.simple_tolerance, u::ratio, between_zero_and_one, optional);
+  });
+  visitor.section("contact", [&] {
+    auto& contact = scene.contact;
+    visitor.number("stiffness", contact.stiffness, u::stiffness, positive, required);
+    visitor.number("restitution", contact.restitution, u::ratio, above_zero_to_one, optional);
+    visitor.number("sliding_friction", contact.sliding_friction, u::ratio, not_negative, optional);
+    visitor.number("rolling_friction", contact.rolling_friction, u::ratio, not_negative, optional);
+    visitor.number("tangential_stiffness_ratio", contact.tangential_stiffness_ratio, u::ratio, not_negative, optional);
+    visitor.number("tangential_damping_ratio", contact.tangential_damping_ratio, u::ratio, not_negative, optional);
+    visitor.number("time_step", contact.time_step, u::time, positive, required);
+    visitor.boolean("allow_large_time_step", contact.allow_large_time_step, optional);
+  });
+  visitor.section("coupling", [&] {
+    auto& coupling = scene.coupling;
+    visitor.text("drag_law", coupling.drag_law, optional);
+    visitor.choice("void_fraction", coupling.void_fraction, void_fractions, optional);
+    visitor.integer("meshing_pieces", coupling.meshing_pieces, one_to_a_million, optional);
+  });
+  visitor.section("outlet", [&] { visitor.choice("particles", scene.outlet.rule, outlet_rules, optional); });
+  visitor.section("recording", [&] {
+    auto& recording = scene.recording;
+    visitor.number("bed_interval", recording.bed_interval, u::time, positive, optional);
+    visitor.number("drop_interval", recording.drop_interval, u::time, positive, optional);
+    visitor.number("snapshot_interval", recording.snapshot_interval, u::time, not_negative, optional);
+    visitor.number("checkpoint_interval", recording.checkpoint_interval, u::time, positive, optional);
+  });
+  visitor.sections("species", scene.species, [&](Species& species) {
+    visitor.text("name", species.name, required);
+    visitor.number("diameter", species.diameter, u::length, positive, required);
+    visitor.number("density", species.density, u::density, positive, required);
+    visitor.particle_count(species);
+  });
+  visitor.sections("stage", scene.stages, [&](Stage& stage) {
+    visitor.choice("kind", stage.kind, stage_kinds, required);
+    const bool drop = stage.kind == StageKind::drop;
+    constexpr std::string_view drop_only = "it belongs to kind = \"drop\"";
+    visitor.number("duration", stage.duration, u::time, positive, required);
+    visitor.text("species", stage.species, required_if(drop, drop_only));
+    visitor.integer("repetitions", stage.repetitions, one_to_a_million, optional_if(drop, drop_only));
+    visitor.number("release_height", stage.release_height, u::length, positive, required_if(drop, drop_only));
+    visitor.number("relaxation", stage.relaxation, u::time, not_negative, optional_if(drop, drop_only));
+  });
+}
+
+}  // namespace slfb::description

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <stdexcept>
+#include <string>
+#include <string_view>
+
+/// Quantities with units, at the edge of the suite; everything behind it is SI.
+namespace slfb::units {
+
+/// What a value of a scene file measures.
+struct Dimension {
+  std::string_view name;     ///< "length"
+  std::string_view unit;     ///< the SI unit, in UDUNITS-2 notation; "1" for a ratio
+  std::string_view example;  ///< a value as a user would write it
+};
+
+inline constexpr Dimension length{"a length", "m", "50 mm"};
+inline constexpr Dimension mass{"a mass", "kg", "0.5255 kg"};
+inline constexpr Dimension time{"a time", "s", "1 ms"};
+inline constexpr Dimension density{"a density", "kg/m3", "998.2 kg/m3"};
+inline constexpr Dimension viscosity{"a dynamic viscosity", "Pa s", "1.0 mPa s"};
+inline constexpr Dimension velocity{"a velocity", "m/s", "6 cm/s"};
+inline constexpr Dimension stiffness{"a stiffness", "N/m", "1e4 N/m"};
+inline constexpr Dimension ratio{"a number without a unit", "1", "0.9"};
+
+/// A text that is not a quantity of the dimension asked for; what() says what is needed, with an example.
+struct UnitError : std::invalid_argument {
+  using std::invalid_argument::invalid_argument;
+};
+
+/// "50 mm" as a length → 0.05. The number is rounded to fifteen significant digits after the conversion, so that
+/// "7.14 mm" and 0.00714 are the same number. Calls from several threads are serialised (UDUNITS-2 keeps one state).
+double parse_quantity(std::string_view text, const Dimension& dimension);
+
+}  // namespace slfb::units

@@ -1,0 +1,517 @@
+#include "solver/simulation.hpp"
+
+#include <fmt/chrono.h>
+#include <fmt/core.h>
+#include <spdlog/spdlog.h>
+#include <sys/resource.h>
+#include <sys/utsname.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <fstream>
+#include <memory>
+#include <numbers>
+#include <thread>
+
+#include "solver/coupling/phase_coupling.hpp"
+#include "solver/dem/engine.hpp"
+#include "solver/dem/packing.hpp"
+#include "solver/fluid/liquid_solver.hpp"
+#include "solver/io/hdf5_file.hpp"
+#include "solver/io/vtkhdf.hpp"
+#include "solver/scene/scene_file.hpp"
+
+namespace slfb {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
+
+double process_cpu_seconds() {
+  rusage usage{};
+  getrusage(RUSAGE_THREAD, &usage);
+  const auto seconds = [](const timeval& t) { return static_cast<double>(t.tv_sec) + 1e-6 * static_cast<double>(t.tv_usec); };
+  return seconds(usage.ru_utime) + seconds(usage.ru_stime);
+}
+
+std::string machine_name() {
+  std::ifstream cpu_info("/proc/cpuinfo");
+  for (std::string line; std::getline(cpu_info, line);)
+    if (line.starts_with("model name"))
+      return fmt::format("{}, {} cores", line.substr(line.find(':') + 2), std::thread::hardware_concurrency());
+  utsname system{};
+  uname(&system);
+  return system.machine;
+}
+
+/// Where a run stands: the stage, the steps done in it, and for drops the sphere and its phase.
+struct Position {
+  std::int64_t stage = 0, steps = 0, repetition = 0, falling = 0, phase_steps = 0;
+};
+
+class Simulation {
+ public:
+  Simulation(const Scene& scene, const RunOptions& options);
+  RunOutcome run();
+
+ private:
+  void start();
+  bool stage_finished() const;
+  void begin_stage();
+  void end_stage();
+  void advance();
+  void advance_drop(const Stage& stage);
+  void release(const Stage& stage);
+  void take_out();
+  void remove_at_outlet();
+  void sample_bed();
+  void sample_drop();
+  void record_plane();
+  void write_snapshot();
+  void save(const std::filesystem::path& file) const;
+  bool resume(const std::filesystem::path& file);
+  [[nodiscard]] std::filesystem::path records_file(std::int64_t dem_steps) const;
+  void remove_records(std::int64_t kept) const;
+  void report_progress();
+  [[nodiscard]] double planned_seconds() const;
+  [[nodiscard]] coupling::PhaseCoupling& coupling() {
+    return scene_.stages[static_cast<std::size_t>(position_.stage)].kind == StageKind::settle ? *still_ : *coupled_;
+  }
+  [[nodiscard]] std::int64_t steps_in(double duration) const { return std::llround(duration / scene_.fluid.time_step); }
+  [[nodiscard]] double fluidised_seconds() const {
+    return static_cast<double>(fluidised_steps_) * scene_.fluid.time_step;
+  }
+
+  const Scene& scene_;
+  const RunOptions& options_;
+  dem::Engine engine_;
+  std::unique_ptr<fluid::LiquidSolver> liquid_;
+  std::unique_ptr<coupling::PhaseCoupling> still_, coupled_;
+  RunResult result_;
+  Position position_;
+  std::int64_t fluidised_steps_ = 0, substeps_ = 1;
+  std::int64_t foreign_ = -1;  ///< index of the dropped sphere, -1 if none
+  Clock::time_point started_ = Clock::now(), last_checkpoint_ = Clock::now(), last_report_ = Clock::now();
+  double wall_before_ = 0.0, cpu_before_ = 0.0, cpu_started_ = process_cpu_seconds();
+  std::int64_t steps_at_start_ = 0;
+};
+
+double largest_radius(const Scene& scene) {
+  double radius = 0.0;
+  for (const Species& species : scene.species) radius = std::max(radius, 0.5 * species.diameter);
+  return radius;
+}
+
+std::array<double, 3> period_of(const Scene& scene) {
+  if (scene.geometry.shape != Shape::box || scene.fluid.wall != LateralBoundary::periodic) return {0.0, 0.0, 0.0};
+  return {scene.geometry.width[0], scene.geometry.width[1], 0.0};
+}
+
+Simulation::Simulation(const Scene& scene, const RunOptions& options)
+    : scene_(scene),
+      options_(options),
+      engine_(scene.contact, dem::walls_of(scene), period_of(scene), options.threads),
+      substeps_(std::llround(scene.fluid.time_step / scene.contact.time_step)) {
+  if (scene.fluid.tier != FluidTier::quiescent) liquid_ = std::make_unique<fluid::LiquidSolver>(scene);
+  still_ = std::make_unique<coupling::PhaseCoupling>(scene, nullptr, largest_radius(scene));
+  coupled_ = std::make_unique<coupling::PhaseCoupling>(scene, liquid_.get(), largest_radius(scene));
+}
+
+void Simulation::start() {
+  for (const dem::PlacedSphere& sphere : dem::loose_packing(scene_)) {
+    const Species& species = scene_.species[static_cast<std::size_t>(sphere.species)];
+    engine_.add_particle(sphere.centre, 0.5 * species.diameter, species.density, sphere.species);
+  }
+  result_.name = scene_hash(scene_);
+  result_.scene_text = canonical_toml(scene_);
+  result_.suite_version = SLFB_VERSION;
+  result_.threads = options_.threads;
+  result_.machine = machine_name();
+}
+
+double Simulation::planned_seconds() const {
+  // A drop ends when the sphere arrives: estimate the rest from those that have.
+  double sum = 0.0;
+  for (const Stage& stage : scene_.stages) {
+    if (stage.kind != StageKind::drop) {
+      sum += stage.duration;
+      continue;
+    }
+    double fall = std::min(stage.duration, 3.0);
+    if (!result_.drops.empty() && result_.drops.front().bottom_time > 0.0) fall = result_.drops.front().bottom_time;
+    sum += stage.repetitions * (fall + stage.relaxation);
+  }
+  return sum;
+}
+
+bool Simulation::stage_finished() const {
+  const Stage& stage = scene_.stages[static_cast<std::size_t>(position_.stage)];
+  if (stage.kind == StageKind::drop) return position_.repetition >= stage.repetitions;
+  return position_.steps >= steps_in(stage.duration);
+}
+
+void Simulation::begin_stage() {
+  const Stage& stage = scene_.stages[static_cast<std::size_t>(position_.stage)];
+  if (stage.kind == StageKind::drop && position_.steps == 0) release(stage);
+}
+
+void Simulation::end_stage() {
+  const Stage& stage = scene_.stages[static_cast<std::size_t>(position_.stage)];
+  const auto& particles = engine_.particles;
+  if (stage.kind == StageKind::settle && particles.size() > 0) {
+    double moment = 0.0, volume = 0.0;
+    for (std::size_t i = 0; i < particles.size(); ++i) {
+      moment += particles.volume(i) * particles.position.z[i];
+      volume += particles.volume(i);
+    }
+    const Geometry& geometry = scene_.geometry;
+    const double area = geometry.shape == Shape::cylinder ? 0.25 * std::numbers::pi * geometry.diameter * geometry.diameter
+                                                          : geometry.width[0] * geometry.width[1];
+    result_.packed_height = 2.0 * moment / volume;
+    result_.packed_voidage = 1.0 - volume / (area * result_.packed_height);
+  }
+  if (stage.kind == StageKind::fluidise) record_plane();
+}
+
+void Simulation::release(const Stage& stage) {
+  std::size_t index = 0;
+  while (scene_.species[index].name != stage.species) ++index;
+  const Species& species = scene_.species[index];
+  const double radius = 0.5 * species.diameter;
+  const auto& position = engine_.particles.position;
+  for (std::size_t i = 0; i < engine_.particles.size(); ++i) {
+    const double distance = std::hypot(position.x[i], position.y[i], position.z[i] - stage.release_height);
+    if (distance < radius + engine_.particles.radius[i])
+      throw dem::EngineError(fmt::format("release of a {} sphere at z = {} m: sphere {} is in the way (bed too high?)",
+                                         species.name, stage.release_height, i));
+  }
+  foreign_ = static_cast<std::int64_t>(
+      engine_.add_particle({0.0, 0.0, stage.release_height}, radius, species.density, static_cast<int>(index)));
+  coupled_->forget_void_fraction();
+  DropSeries drop;
+  drop.release_time = fluidised_seconds();
+  drop.species = species.name;
+  result_.drops.push_back(std::move(drop));
+  position_.falling = 1;
+  position_.phase_steps = 0;
+}
+
+void Simulation::take_out() {
+  engine_.remove_particle(static_cast<std::size_t>(foreign_));
+  coupled_->forget_void_fraction();
+  foreign_ = -1;
+  position_.falling = 0;
+  position_.phase_steps = 0;
+}
+
+void Simulation::remove_at_outlet() {
+  if (scene_.outlet.rule != OutletRule::remove) return;
+  for (std::size_t i = engine_.particles.size(); i-- > 0;) {
+    if (engine_.particles.position.z[i] < scene_.geometry.height) continue;
+    if (static_cast<std::int64_t>(i) == foreign_) continue;
+    engine_.remove_particle(i);
+    if (foreign_ > static_cast<std::int64_t>(i)) --foreign_;
+    coupled_->forget_void_fraction();
+    ++result_.particles_removed;
+  }
+}
+
+void Simulation::advance() {
+  coupling::PhaseCoupling& exchange = coupling();
+  exchange.advance(engine_, scene_.fluid.time_step);
+  engine_.reset_mean_forces();
+  for (std::int64_t s = 0; s < substeps_; ++s) engine_.step();
+  result_.particle_steps += substeps_ * static_cast<std::int64_t>(engine_.particles.size());
+  result_.simulated_seconds += scene_.fluid.time_step;
+  ++position_.steps;
+
+  const Stage& stage = scene_.stages[static_cast<std::size_t>(position_.stage)];
+  if (stage.kind == StageKind::settle) return;
+  ++fluidised_steps_;
+  remove_at_outlet();
+  if (fluidised_steps_ % std::max<std::int64_t>(1, steps_in(scene_.recording.bed_interval)) == 0) sample_bed();
+  if (scene_.recording.snapshot_interval > 0.0 && fluidised_steps_ % steps_in(scene_.recording.snapshot_interval) == 0)
+    write_snapshot();
+  if (stage.kind == StageKind::drop) advance_drop(stage);
+}
+
+void Simulation::advance_drop(const Stage& stage) {
+  ++position_.phase_steps;
+  if (position_.falling == 0) {
+    if (position_.phase_steps < steps_in(stage.relaxation)) return;
+    if (++position_.repetition < stage.repetitions) release(stage);
+    return;
+  }
+  if (position_.phase_steps % std::max<std::int64_t>(1, steps_in(scene_.recording.drop_interval)) == 0) sample_drop();
+  const bool arrived = engine_.touches_wall(static_cast<std::size_t>(foreign_), 0);
+  if (arrived) result_.drops.back().bottom_time = static_cast<double>(position_.phase_steps) * scene_.fluid.time_step;
+  if (arrived || position_.phase_steps >= steps_in(stage.duration)) take_out();
+}
+
+void Simulation::sample_bed() {
+  const auto& particles = engine_.particles;
+  BedSeries& bed = result_.bed;
+  std::vector<double> heights;
+  std::array<double, 3> sum{}, sum_squares{};
+  double moment = 0.0, volume = 0.0, contacts = 0.0;
+  const std::array<const std::vector<double>*, 3> velocity{&particles.velocity.x, &particles.velocity.y,
+                                                           &particles.velocity.z};
+  for (std::size_t i = 0; i < particles.size(); ++i) {
+    if (static_cast<std::int64_t>(i) == foreign_) continue;
+    heights.push_back(particles.position.z[i]);
+    moment += particles.volume(i) * particles.position.z[i];
+    volume += particles.volume(i);
+    contacts += engine_.contacts(i);
+    for (std::size_t a = 0; a < 3; ++a) {
+      sum[a] += (*velocity[a])[i];
+      sum_squares[a] += (*velocity[a])[i] * (*velocity[a])[i];
+    }
+  }
+  if (heights.empty()) return;
+  const auto n = static_cast<double>(heights.size());
+  // u'²: variance of one velocity component over all bed particles about the bed's mean velocity, mean of the three.
+  double variance = 0.0;
+  for (std::size_t a = 0; a < 3; ++a) variance += (sum_squares[a] / n - sum[a] * sum[a] / (n * n)) / 3.0;
+  const auto top = heights.begin() + static_cast<std::ptrdiff_t>(0.99 * (n - 1.0));
+  std::nth_element(heights.begin(), top, heights.end());
+  bed.time.push_back(fluidised_seconds());
+  bed.pressure_drop.push_back(liquid_ ? liquid_->inlet_pressure() : 0.0);
+  bed.centre_of_mass_height.push_back(moment / volume);
+  bed.bed_top.push_back(*top);
+  bed.fluctuating_energy.push_back(1.5 * variance);
+  bed.contacts_per_particle.push_back(contacts / n);
+  bed.maximum_overlap.push_back(engine_.maximum_overlap());
+  bed.foreign_present.push_back(foreign_ >= 0 ? 1.0 : 0.0);
+}
+
+void Simulation::sample_drop() {
+  const auto i = static_cast<std::size_t>(foreign_);
+  const auto& particles = engine_.particles;
+  DropSeries& drop = result_.drops.back();
+  drop.time.push_back(static_cast<double>(position_.phase_steps) * scene_.fluid.time_step);
+  drop.x.push_back(particles.position.x[i]);
+  drop.y.push_back(particles.position.y[i]);
+  drop.z.push_back(particles.position.z[i]);
+  drop.velocity_x.push_back(particles.velocity.x[i]);
+  drop.velocity_y.push_back(particles.velocity.y[i]);
+  drop.velocity_z.push_back(particles.velocity.z[i]);
+  const auto spin = particles.angular_velocity.at(i);
+  drop.angular_speed.push_back(std::hypot(spin[0], spin[1], spin[2]));
+  drop.voidage.push_back(coupled_->voidage(i));
+  drop.liquid_velocity_z.push_back(coupled_->liquid_velocity(i, 2));
+  drop.reynolds.push_back(coupled_->reynolds(i));
+  const auto force = engine_.contact_force(i);
+  drop.contact_force.push_back(std::hypot(force[0], force[1], force[2]));
+  const auto mean = engine_.mean_contact_force(i);
+  drop.contact_force_mean_x.push_back(mean[0]);
+  drop.contact_force_mean_y.push_back(mean[1]);
+  drop.contact_force_mean_z.push_back(mean[2]);
+  drop.drag_force_z.push_back(coupled_->drag_force(i, 2));
+  drop.pressure_force_z.push_back(coupled_->pressure_force(i, 2));
+  drop.contacts.push_back(engine_.contacts(i));
+  drop.cumulative_contacts.push_back(static_cast<double>(engine_.contact_events(i)));
+}
+
+/// Void fraction and velocity on the cells of the plane y = 0; between two rows of cells their mean.
+void Simulation::record_plane() {
+  if (!liquid_) return;
+  const fluid::ColumnGrid& grid = liquid_->grid();
+  const auto voidage = coupled_->void_fraction();
+  const auto velocity = coupled_->cell_velocity();
+  if (voidage.empty()) return;
+  PlaneField plane;
+  plane.time = fluidised_seconds();
+  const int rows = grid.squares(1), upper = rows / 2, lower = rows % 2 == 0 ? upper - 1 : upper;
+  for (int ix = 0; ix < grid.squares(0); ++ix) plane.x.push_back(grid.lower(0) + (ix + 0.5) * grid.spacing(0));
+  for (int k = 0; k < grid.layers(); ++k) {
+    plane.z.push_back((k + 0.5) * grid.cell_height());
+    for (int ix = 0; ix < grid.squares(0); ++ix) {
+      const auto mean = [&](const std::vector<double>& field) {
+        const auto at = [&](int iy) {
+          return field[static_cast<std::size_t>(grid.cell_of_square(ix, iy) * grid.layers() + k)];
+        };
+        return 0.5 * (at(lower) + at(upper));
+      };
+      plane.voidage.push_back(mean(voidage));
+      plane.velocity_x.push_back(mean(velocity[0]));
+      plane.velocity_z.push_back(mean(velocity[2]));
+    }
+  }
+  result_.plane = std::move(plane);
+}
+
+void Simulation::write_snapshot() {
+  const auto folder = options_.directory / "snapshots";
+  std::filesystem::create_directories(folder);
+  const double time = fluidised_seconds();
+  io::write_particles_vtkhdf(folder / fmt::format("particles_{:08.3f}s.vtkhdf", time), engine_.particles, time);
+  if (liquid_)
+    io::write_liquid_vtkhdf(folder / fmt::format("liquid_{:08.3f}s.vtkhdf", time), liquid_->grid(), coupled_->void_fraction(),
+                            coupled_->cell_velocity(), liquid_->pressure(), time);
+}
+
+void Simulation::save(const std::filesystem::path& file) const {
+  const auto temporary = std::filesystem::path(file).concat(".part");
+  {
+    auto h5 = io::Hdf5File::create(temporary);
+    const auto& particles = engine_.particles;
+    const auto write_vector = [&](const std::string& name, const dem::VectorField& field) {
+      h5.write(name + "/x", field.x);
+      h5.write(name + "/y", field.y);
+      h5.write(name + "/z", field.z);
+    };
+    write_vector("particles/position", particles.position);
+    write_vector("particles/velocity", particles.velocity);
+    write_vector("particles/angular_velocity", particles.angular_velocity);
+    h5.write("particles/radius", particles.radius);
+    h5.write("particles/mass", particles.mass);
+    h5.write("particles/species", std::vector<std::int64_t>(particles.species.begin(), particles.species.end()));
+    const dem::Engine::Memory memory = engine_.memory();
+    std::vector<std::int64_t> pairs;
+    std::vector<double> springs;
+    for (const auto& contact : memory.contacts) {
+      pairs.insert(pairs.end(), {contact.first, contact.second});
+      springs.insert(springs.end(), {contact.spring.x, contact.spring.y, contact.spring.z});
+    }
+    h5.write("contacts/pairs", pairs);
+    h5.write("contacts/springs", springs);
+    h5.write("contacts/wall_springs", memory.wall_springs);
+    h5.write("contacts/events", memory.contact_events);
+    write_vector("contacts/mean", memory.mean_contact);
+    write_vector("contacts/mean_wall", memory.mean_wall);
+    if (liquid_) {
+      const auto state = liquid_->state();
+      for (std::size_t f = 0; f < state.size(); ++f)
+        h5.write(fmt::format("liquid/{}", fluid::LiquidSolver::state_names[f]), state[f]);
+      h5.write("liquid/volume", coupled_->liquid_volume());
+    }
+    h5.write("clock", std::vector<std::int64_t>{memory.averaged_steps, memory.steps, position_.stage, position_.steps,
+                                                position_.repetition, position_.falling, position_.phase_steps,
+                                                fluidised_steps_, foreign_});
+    h5.write_attribute("/", "scene_hash", scene_hash(scene_));
+  }
+  std::filesystem::rename(temporary, file);
+}
+
+std::filesystem::path Simulation::records_file(std::int64_t dem_steps) const {
+  return options_.directory / fmt::format("records_{}.h5", dem_steps);
+}
+
+bool Simulation::resume(const std::filesystem::path& file) {
+  if (!std::filesystem::exists(file)) return false;
+  auto h5 = io::Hdf5File::open(file);
+  if (h5.read_string_attribute("/", "scene_hash") != scene_hash(scene_)) return false;
+  const auto read_vector = [&](const std::string& name) {
+    return dem::VectorField{h5.read_doubles(name + "/x"), h5.read_doubles(name + "/y"), h5.read_doubles(name + "/z")};
+  };
+  dem::Particles particles;
+  particles.position = read_vector("particles/position");
+  particles.velocity = read_vector("particles/velocity");
+  particles.angular_velocity = read_vector("particles/angular_velocity");
+  particles.radius = h5.read_doubles("particles/radius");
+  particles.mass = h5.read_doubles("particles/mass");
+  for (const std::int64_t s : h5.read_integers("particles/species")) particles.species.push_back(static_cast<int>(s));
+  const auto clock = h5.read_integers("clock");
+  dem::Engine::Memory memory;
+  const auto pairs = h5.read_integers("contacts/pairs");
+  const auto springs = h5.read_doubles("contacts/springs");
+  for (std::size_t c = 0; c < pairs.size() / 2; ++c)
+    memory.contacts.push_back({static_cast<std::uint32_t>(pairs[2 * c]), static_cast<std::uint32_t>(pairs[2 * c + 1]),
+                               {springs[3 * c], springs[3 * c + 1], springs[3 * c + 2]}});
+  memory.wall_springs = h5.read_doubles("contacts/wall_springs");
+  memory.contact_events = h5.read_integers("contacts/events");
+  memory.mean_contact = read_vector("contacts/mean");
+  memory.mean_wall = read_vector("contacts/mean_wall");
+  memory.averaged_steps = clock.at(0);
+  memory.steps = clock.at(1);
+  engine_.restore(std::move(particles), memory);
+  position_ = {clock.at(2), clock.at(3), clock.at(4), clock.at(5), clock.at(6)};
+  fluidised_steps_ = clock.at(7);
+  foreign_ = clock.at(8);
+  if (liquid_) {
+    std::array<std::vector<double>, fluid::LiquidSolver::state_names.size()> state;
+    for (std::size_t f = 0; f < state.size(); ++f)
+      state[f] = h5.read_doubles(fmt::format("liquid/{}", fluid::LiquidSolver::state_names[f]));
+    liquid_->restore(state);
+    coupled_->restore(h5.read_doubles("liquid/volume"));
+  }
+  result_ = load_result(records_file(memory.steps));
+  wall_before_ = result_.wall_seconds;
+  cpu_before_ = result_.cpu_seconds;
+  return true;
+}
+
+/// Removes the records of all checkpoints but the one after `kept` steps.
+void Simulation::remove_records(std::int64_t kept) const {
+  for (const auto& entry : std::filesystem::directory_iterator(options_.directory))
+    if (entry.path().filename().string().starts_with("records_") && entry.path() != records_file(kept))
+      std::filesystem::remove(entry.path());
+}
+
+void Simulation::report_progress() {
+  if (!options_.progress || seconds_since(last_report_) < 0.2) return;
+  last_report_ = Clock::now();
+  static constexpr std::array names{"settle", "fluidise", "drop"};
+  const Stage& stage = scene_.stages[static_cast<std::size_t>(position_.stage)];
+  Progress progress;
+  progress.stage = names[static_cast<std::size_t>(stage.kind)];
+  if (stage.kind == StageKind::drop) progress.stage += fmt::format(" {}/{}", position_.repetition + 1, stage.repetitions);
+  progress.simulated_seconds = result_.simulated_seconds;
+  progress.planned_seconds = std::max(planned_seconds(), result_.simulated_seconds);
+  progress.wall_seconds = wall_before_ + seconds_since(started_);
+  progress.particle_steps_per_second =
+      static_cast<double>(result_.particle_steps - steps_at_start_) / std::max(1e-9, seconds_since(started_));
+  options_.progress(progress);
+}
+
+RunOutcome Simulation::run() {
+  std::filesystem::create_directories(options_.directory);
+  const auto checkpoint = options_.directory / "checkpoint.h5";
+  start();
+  const auto update_cost = [&] {
+    result_.wall_seconds = wall_before_ + seconds_since(started_);
+    result_.cpu_seconds = cpu_before_ + process_cpu_seconds() - cpu_started_;
+    result_.date = fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::time(nullptr)));
+  };
+  const auto save_all = [&] {
+    // The records carry the step in their name and go first: whenever a crash comes, the checkpoint finds its own.
+    update_cost();
+    save_result(result_, records_file(engine_.steps()));
+    save(checkpoint);
+    remove_records(engine_.steps());
+    last_checkpoint_ = Clock::now();
+  };
+  if (resume(checkpoint)) spdlog::info("resuming {} at {:.3f} s", result_.name, result_.simulated_seconds);
+  steps_at_start_ = result_.particle_steps;
+  try {
+    for (; position_.stage < static_cast<std::int64_t>(scene_.stages.size()); ++position_.stage, position_.steps = 0,
+                                                                              position_.repetition = 0, position_.phase_steps = 0) {
+      begin_stage();
+      while (!stage_finished()) {
+        advance();
+        report_progress();
+        const bool stopped = options_.stop != nullptr && options_.stop->load();
+        if (stopped || seconds_since(last_checkpoint_) > scene_.recording.checkpoint_interval) save_all();
+        if (stopped) return {RunStatus::interrupted, result_};
+      }
+      end_stage();
+    }
+  } catch (const std::runtime_error& error) {
+    const auto file = options_.directory / "failure.h5";
+    save(file);
+    throw std::runtime_error(fmt::format("{} s after the start of the run ({} s of fluidisation): {}; state saved in {}",
+                                         result_.simulated_seconds, fluidised_seconds(), error.what(), file.string()));
+  }
+  update_cost();
+  std::filesystem::remove(checkpoint);
+  remove_records(-1);
+  return {RunStatus::finished, result_};
+}
+
+}  // namespace
+
+RunOutcome run_scene(const Scene& scene, const RunOptions& options) { return Simulation(scene, options).run(); }
+
+}  // namespace slfb

@@ -1,0 +1,28 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <string>
+
+#include "experiments/claims.hpp"
+#include "experiments/measure.hpp"
+
+namespace slfb {
+namespace {
+
+bool needs_no_run(const Claim& claim) {
+  return !claim.measures.empty() && std::none_of(claim.measures.begin(), claim.measures.end(),
+                                                 [](const std::string& key) { return needs_run(key); });
+}
+
+TEST(LawGates, EveryClaimThatNeedsNoRunHasAGateAndItHolds) {
+  std::size_t gates = 0;
+  for (const Evaluation& evaluation : evaluate(load_claims(), measure_laws())) {
+    if (!needs_no_run(evaluation.claim)) continue;
+    ++gates;
+    EXPECT_EQ(evaluation.gate, Gate::holds) << evaluation.claim.id << ": " << evaluation.reason;
+  }
+  EXPECT_GE(gates, 40u);
+}
+
+}  // namespace
+}  // namespace slfb

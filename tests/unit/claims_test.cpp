@@ -1,0 +1,325 @@
+#include "experiments/claims.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <limits>
+#include <nlohmann/json.hpp>
+#include <pugixml.hpp>
+#include <regex>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "experiments/measure.hpp"
+#include "experiments/reference_data.hpp"
+
+namespace slfb {
+namespace {
+
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+/// A claim about "mass/6in5W/0.06": equals 10 within 1, accepted between 9 and 11.
+Claim made_up_claim() {
+  Claim claim;
+  claim.id = "fig99.mass";
+  claim.figure = "fig99";
+  claim.quantity = "made-up mass";
+  claim.unit = "kg";
+  claim.source = "nowhere";
+  claim.kind = StatementKind::value;
+  claim.paper = claim.paper_upper = 10.0;
+  claim.paper_band = Band{9.0, 11.0};
+  claim.measures = {"mass/6in5W/0.06"};
+  claim.regression_band = Band{9.5, 10.5};
+  return claim;
+}
+
+Evaluation evaluate_one(const Claim& claim, const Measurements& measurements) {
+  return evaluate({claim}, measurements).front();
+}
+
+Measurements with(double value, double half_width) {
+  return {{"mass/6in5W/0.06", {.value = value, .half_width = half_width, .samples = 5, .unit = "kg", .origin = ""}}};
+}
+
+TEST(Claims, ThereAreAtLeastSixtyWithUniqueIdsUnitsAndSources) {
+  const auto claims = load_claims();
+  EXPECT_GE(claims.size(), 60u);
+  std::set<std::string> ids;
+  for (const Claim& claim : claims) {
+    EXPECT_TRUE(ids.insert(claim.id).second) << claim.id;
+    EXPECT_TRUE(claim.id.starts_with(claim.figure + ".")) << claim.id;
+    EXPECT_FALSE(claim.unit.empty()) << claim.id;
+    EXPECT_FALSE(claim.source.empty()) << claim.id;
+    EXPECT_FALSE(claim.quantity.empty()) << claim.id;
+    EXPECT_TRUE(!claim.measures.empty() || !claim.undecidable.empty()) << claim.id;
+    if (claim.paper_band) {
+      EXPECT_FALSE(claim.band_reason.empty()) << claim.id;
+      EXPECT_TRUE(claim.paper_band->contains(claim.paper)) << claim.id;
+    }
+    if (claim.regression_band) {
+      EXPECT_FALSE(claim.regression_reason.empty()) << claim.id;
+      EXPECT_TRUE(std::isfinite(claim.regression_band->upper - claim.regression_band->lower)) << claim.id;
+    }
+  }
+}
+
+TEST(Claims, MeasureKeysAreWellFormed) {
+  const std::regex of_run("[a-z0-9_]+/[3-6]in[3-6][WN](/([0-9]\\.[0-9]{2}(/[a-z0-9-]+)?|\\*))?");
+  const std::regex of_law("[a-z0-9_]+/[a-z0-9.-]+(/[a-z0-9.-]+)?");
+  for (const Claim& claim : load_claims()) {
+    for (const std::string& key : claim.measures) {
+      EXPECT_TRUE(std::regex_match(key, needs_run(key) ? of_run : of_law)) << claim.id << ": " << key;
+    }
+  }
+}
+
+TEST(Claims, EveryRowOfTable2IsAClaim) {
+  const auto claims = load_claims();
+  for (const Table2Row& row : peng_2014().table2()) {
+    const std::string key = measure_key("classification_velocity", "6in5W", row.superficial_velocity);
+    const auto found = std::find_if(claims.begin(), claims.end(), [&](const Claim& claim) {
+      return claim.figure == "table2" && claim.measures == std::vector{key};
+    });
+    ASSERT_NE(found, claims.end()) << key;
+    EXPECT_DOUBLE_EQ(found->paper, row.classification_velocity);
+  }
+}
+
+TEST(Claims, WithoutRunsNothingThatNeedsOneIsDecided) {
+  for (const Evaluation& evaluation : evaluate(load_claims(), measure_laws())) {
+    const auto& keys = evaluation.claim.measures;
+    if (std::none_of(keys.begin(), keys.end(), [](const std::string& key) { return needs_run(key); })) continue;
+    EXPECT_EQ(evaluation.verdict, Verdict::not_decidable) << evaluation.claim.id;
+    EXPECT_EQ(evaluation.gate, Gate::none) << evaluation.claim.id;
+    EXPECT_TRUE(evaluation.reason.starts_with("not yet simulated: ")) << evaluation.reason;
+  }
+}
+
+TEST(Verdict, IntervalInsideTheBandIsReproduced) {
+  const Evaluation evaluation = evaluate_one(made_up_claim(), with(10.2, 0.5));
+  EXPECT_EQ(evaluation.verdict, Verdict::reproduced);
+  EXPECT_DOUBLE_EQ(*evaluation.ours, 10.2);
+  EXPECT_DOUBLE_EQ(evaluation.interval->first, 9.7);
+  EXPECT_NEAR(*evaluation.deviation, 0.02, 1e-12);
+}
+
+TEST(Verdict, IntervalOutsideTheBandIsNotReproduced) {
+  EXPECT_EQ(evaluate_one(made_up_claim(), with(12.0, 0.5)).verdict, Verdict::not_reproduced);
+  EXPECT_EQ(evaluate_one(made_up_claim(), with(8.0, 0.5)).verdict, Verdict::not_reproduced);
+  EXPECT_NEAR(*evaluate_one(made_up_claim(), with(8.0, 0.5)).deviation, -0.2, 1e-12);
+}
+
+TEST(Verdict, IntervalThatStraddlesAnEdgeIsNotDecidable) {
+  for (const double value : {10.8, 11.2, 9.1}) {
+    const Evaluation evaluation = evaluate_one(made_up_claim(), with(value, 0.5));
+    EXPECT_EQ(evaluation.verdict, Verdict::not_decidable) << value;
+    EXPECT_NE(evaluation.reason.find("straddles"), std::string::npos);
+  }
+  EXPECT_EQ(evaluate_one(made_up_claim(), with(10.0, 50.0)).verdict, Verdict::not_decidable)
+      << "a wide interval does not make a claim hold";
+}
+
+TEST(Verdict, OneSampleDecidesNothing) {
+  const Evaluation evaluation = evaluate_one(made_up_claim(), with(10.0, nan));
+  EXPECT_EQ(evaluation.verdict, Verdict::not_decidable);
+  EXPECT_FALSE(evaluation.interval);
+  EXPECT_DOUBLE_EQ(*evaluation.ours, 10.0);
+  EXPECT_NE(evaluation.reason.find("inside"), std::string::npos);
+}
+
+TEST(Verdict, BoundsAreOneSided) {
+  Claim claim = made_up_claim();
+  claim.kind = StatementKind::at_most;
+  claim.paper_band = Band{-infinity, 10.0};
+  EXPECT_EQ(evaluate_one(claim, with(-100.0, 1.0)).verdict, Verdict::reproduced);
+  EXPECT_DOUBLE_EQ(*evaluate_one(claim, with(-100.0, 1.0)).deviation, 0.0);
+  EXPECT_EQ(evaluate_one(claim, with(12.0, 1.0)).verdict, Verdict::not_reproduced);
+  EXPECT_NEAR(*evaluate_one(claim, with(12.0, 1.0)).deviation, 0.2, 1e-12);
+  EXPECT_EQ(claim.paper_text(), "at most 10");
+}
+
+TEST(Verdict, ARangeMeasuresItsDeviationFromTheNearerEnd) {
+  Claim claim = made_up_claim();
+  claim.kind = StatementKind::between;
+  claim.paper_upper = 50.0;
+  claim.paper_band = Band{10.0, 50.0};
+  EXPECT_DOUBLE_EQ(*evaluate_one(claim, with(30.0, 1.0)).deviation, 0.0);
+  EXPECT_NEAR(*evaluate_one(claim, with(60.0, 1.0)).deviation, 0.2, 1e-12);
+  EXPECT_NEAR(*evaluate_one(claim, with(5.0, 1.0)).deviation, -0.5, 1e-12);
+  EXPECT_EQ(claim.paper_text(), "between 10 and 50");
+}
+
+Claim trend_claim(StatementKind kind) {
+  Claim claim = made_up_claim();
+  claim.kind = kind;
+  claim.paper_band.reset();
+  claim.regression_band.reset();
+  claim.measures = {"mass/6in5W/0.06", "mass/6in5W/0.07", "mass/6in5W/0.08"};
+  return claim;
+}
+
+Measurements three(double a, double b, double c, double half_width) {
+  const auto measurement = [&](double value) { return Measurement{value, half_width, 5, "kg", ""}; };
+  return {
+      {"mass/6in5W/0.06", measurement(a)}, {"mass/6in5W/0.07", measurement(b)}, {"mass/6in5W/0.08", measurement(c)}};
+}
+
+TEST(Trend, Rules) {
+  const Claim rising = trend_claim(StatementKind::increasing);
+  const Claim falling = trend_claim(StatementKind::decreasing);
+  EXPECT_EQ(evaluate_one(rising, three(1, 2, 3, 0.1)).verdict, Verdict::reproduced);
+  EXPECT_DOUBLE_EQ(*evaluate_one(rising, three(1, 2, 3, 0.1)).ours, 2.0);
+  EXPECT_EQ(evaluate_one(falling, three(1, 2, 3, 0.1)).verdict, Verdict::not_reproduced);
+  EXPECT_EQ(evaluate_one(falling, three(3, 2, 1, 0.1)).verdict, Verdict::reproduced);
+  EXPECT_EQ(evaluate_one(rising, three(1, 3, 2, 0.1)).verdict, Verdict::not_reproduced) << "a step goes down";
+  EXPECT_EQ(evaluate_one(rising, three(1, 2.05, 2, 0.1)).verdict, Verdict::reproduced) << "within its interval";
+  EXPECT_EQ(evaluate_one(rising, three(1, 1.05, 1.1, 0.1)).verdict, Verdict::not_decidable) << "too small to tell";
+  EXPECT_EQ(evaluate_one(rising, three(1, 1, 1, 0.0)).verdict, Verdict::not_reproduced) << "exactly no change";
+  EXPECT_EQ(evaluate_one(rising, three(1, 2, 3, nan)).verdict, Verdict::not_decidable);
+  EXPECT_EQ(evaluate_one(rising, with(1.0, 0.1)).verdict, Verdict::not_decidable) << "two runs are missing";
+}
+
+TEST(Gate, PlantedDeviationTurnsItRed) {
+  EXPECT_EQ(evaluate_one(made_up_claim(), with(10.0, 0.1)).gate, Gate::holds);
+  const Evaluation broken = evaluate_one(made_up_claim(), with(10.6, 0.1));
+  EXPECT_EQ(broken.gate, Gate::broken);
+  EXPECT_EQ(broken.verdict, Verdict::reproduced) << "the paper's band is another one";
+  EXPECT_NE(broken.reason.find("outside the accepted"), std::string::npos);
+}
+
+TEST(Gate, EveryLawGateGoesRedWhenItsMeasurementIsOff) {
+  const auto claims = load_claims();
+  const Measurements laws = measure_laws();
+  for (const Claim& claim : claims) {
+    if (!claim.regression_band) continue;
+    Measurements planted = laws;
+    // One part in a hundred, or more where the band is wider.
+    const double width = claim.regression_band->upper - claim.regression_band->lower;
+    for (const std::string& key : claim.measures) planted.at(key).value += 0.01 * std::abs(laws.at(key).value) + width;
+    if (claim.reduction == Reduction::single && claim.measures.size() == 1) {
+      EXPECT_EQ(evaluate_one(claim, planted).gate, Gate::broken) << claim.id;
+    }
+    planted = laws;
+    planted.erase(claim.measures.front());
+    EXPECT_EQ(evaluate_one(claim, planted).gate, Gate::broken) << claim.id << " without its measurement";
+  }
+}
+
+TEST(Gate, ARunThatDoesNotExistBreaksNothing) { EXPECT_EQ(evaluate_one(made_up_claim(), {}).gate, Gate::none); }
+
+TEST(Reduction, OfSeveralMeasures) {
+  Claim claim = made_up_claim();
+  claim.measures = {"mass/6in5W/*"};
+  Measurements values = three(8.0, 10.0, 12.0, 0.3);
+  values["mass/6in5W/0.09/variant"] = {100.0, 0.0, 1, "kg", ""};
+  claim.reduction = Reduction::largest;
+  EXPECT_DOUBLE_EQ(*evaluate_one(claim, values).ours, 12.0) << "variants do not count";
+  claim.reduction = Reduction::smallest;
+  EXPECT_DOUBLE_EQ(*evaluate_one(claim, values).ours, 8.0);
+  claim.reduction = Reduction::relative_spread;
+  EXPECT_DOUBLE_EQ(*evaluate_one(claim, values).ours, 0.4);
+  claim.reduction = Reduction::ratio;
+  claim.measures = {"mass/6in5W/0.08", "mass/6in5W/0.06"};
+  const Evaluation ratio = evaluate_one(claim, values);
+  EXPECT_DOUBLE_EQ(*ratio.ours, 1.5);
+  EXPECT_NEAR(ratio.interval->second - 1.5, 1.5 * std::hypot(0.3 / 12.0, 0.3 / 8.0), 1e-12);
+  values.at("mass/6in5W/0.06").value = -20.0;
+  claim.measures = {"mass/6in5W/*"};
+  claim.reduction = Reduction::largest_magnitude;
+  EXPECT_DOUBLE_EQ(*evaluate_one(claim, values).ours, 20.0);
+}
+
+TEST(Json, HasExactlyTheDocumentedShape) {
+  const auto evaluations = evaluate(load_claims(), measure_laws());
+  const auto json = nlohmann::json::parse(claims_json(evaluations).dump());
+  ASSERT_EQ(json.size(), 1u);
+  ASSERT_EQ(json.at("claims").size(), evaluations.size());
+  const std::set<std::string> expected{"id",       "figure",    "quantity",   "unit",    "paper", "ours",
+                                       "interval", "deviation", "paper_band", "verdict", "gate",  "reason"};
+  for (const auto& claim : json.at("claims")) {
+    std::set<std::string> keys;
+    for (const auto& [key, value] : claim.items()) keys.insert(key);
+    EXPECT_EQ(keys, expected);
+    for (const char* key : {"id", "figure", "quantity", "unit", "verdict", "gate", "reason"}) {
+      EXPECT_TRUE(claim.at(key).is_string()) << key;
+    }
+    EXPECT_TRUE(claim.at("paper").is_number() || claim.at("paper").is_string());
+    for (const char* key : {"ours", "deviation"}) EXPECT_TRUE(claim.at(key).is_number() || claim.at(key).is_null());
+    for (const char* key : {"interval", "paper_band"}) {
+      EXPECT_TRUE(claim.at(key).is_null() || claim.at(key).size() == 2u) << key;
+    }
+    EXPECT_TRUE((std::set<std::string>{"reproduced", "not reproduced", "not decidable"}).contains(claim.at("verdict")));
+    EXPECT_TRUE((std::set<std::string>{"holds", "broken", "none"}).contains(claim.at("gate")));
+  }
+}
+
+TEST(Json, AnOpenSideOfABandIsNull) {
+  Claim claim = made_up_claim();
+  claim.paper_band = Band{-infinity, 10.0};
+  const auto json = claims_json(evaluate({claim}, {}));
+  EXPECT_TRUE(json.at("claims").at(0).at("paper_band").at(0).is_null());
+  EXPECT_DOUBLE_EQ(json.at("claims").at(0).at("paper_band").at(1), 10.0);
+  EXPECT_TRUE(json.at("claims").at(0).at("ours").is_null());
+}
+
+TEST(Junit, BrokenGatesAreFailuresAndMissingRunsAreSkipped) {
+  Claim holds = made_up_claim(), broken = made_up_claim(), missing = made_up_claim(), without = made_up_claim();
+  broken.id = "fig99.broken";
+  broken.regression_band = Band{20.0, 21.0};
+  missing.id = "fig99.missing";
+  missing.measures = {"mass/6in5W/0.24"};
+  without.id = "fig99.without";
+  without.regression_band.reset();
+  const std::string text = claims_junit(evaluate({holds, broken, missing, without}, with(10.0, 0.1)));
+  pugi::xml_document document;
+  ASSERT_TRUE(document.load_string(text.c_str()));
+  const auto suite = document.child("testsuite");
+  EXPECT_EQ(suite.attribute("tests").as_int(), 3);
+  EXPECT_EQ(suite.attribute("failures").as_int(), 1);
+  EXPECT_EQ(suite.attribute("skipped").as_int(), 1);
+  EXPECT_TRUE(suite.find_child_by_attribute("testcase", "name", "fig99.broken").child("failure"));
+  EXPECT_TRUE(suite.find_child_by_attribute("testcase", "name", "fig99.missing").child("skipped"));
+}
+
+/// What load_claims says to a file with this text.
+std::string error_of(const std::string& text) {
+  const auto file = std::filesystem::path(testing::TempDir()) / "slfb_claims.toml";
+  std::ofstream(file) << text;
+  std::string message = "no error";
+  try {
+    load_claims(file);
+  } catch (const std::runtime_error& error) {
+    message = error.what();
+  }
+  std::filesystem::remove(file);
+  return message;
+}
+
+TEST(ClaimFile, MistakesAreNamedWithLineAndClaim) {
+  const std::string head = "[[claim]]\nid = \"fig05.a\"\nfigure = \"fig05\"\nquantity = \"q\"\n";
+  const std::string band = "paper_band = { relative = 0.1, why = \"w\" }\n";
+  const std::string measure = "measure = \"pressure_drop/6in5W/0.06\"\n";
+  const std::string value = "equals = \"pressure_plateau\"\n";
+  EXPECT_EQ(error_of(head + value + band + measure), "no error");
+  EXPECT_NE(error_of(head + value + band + measure + "colour = 1\n").find("claim fig05.a: unknown key \"colour\""),
+            std::string::npos);
+  EXPECT_NE(error_of(head + value + measure).find("\"paper_band\" is missing"), std::string::npos);
+  EXPECT_NE(error_of(head + value + band).find("\"measure\" is missing"), std::string::npos);
+  EXPECT_NE(error_of(head + band + measure).find("exactly one of"), std::string::npos);
+  EXPECT_NE(error_of(head + "equals = \"nothing\"\n" + band + measure).find("\"nothing\""), std::string::npos);
+  EXPECT_NE(error_of(head + value + band + "measure = [\"a/6in5W/0.06\", \"b/6in5W/0.06\"]\n").find("need \"reduce\""),
+            std::string::npos);
+  EXPECT_NE(error_of(head + value + "paper_band = { why = \"w\" }\n" + measure).find("\"relative\" or \"absolute\""),
+            std::string::npos);
+  const std::string whole = head + value + band + measure;
+  EXPECT_NE(error_of(whole + whole).find("occurs twice"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace slfb

@@ -1,0 +1,172 @@
+// The catalogue of laws and the two commands that show it.
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <fstream>
+#include <iterator>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "correlations/catalogue.hpp"
+#include "correlations/drag/drag_laws.hpp"
+#include "experiments/commands/laws.hpp"
+
+namespace slfb {
+namespace {
+
+using nlohmann::json;
+
+// Runs a command line as the binary would and returns what it writes.
+std::string run(const std::vector<std::string>& words) {
+  CLI::App app{"slfb"};
+  add_laws_command(app);
+  add_law_command(app);
+  testing::internal::CaptureStdout();
+  try {
+    app.parse(std::vector<std::string>(words.rbegin(), words.rend()));  // CLI11 takes the words last first
+  } catch (...) {
+    testing::internal::GetCapturedStdout();
+    throw;
+  }
+  return testing::internal::GetCapturedStdout();
+}
+
+std::string error_of(const std::vector<std::string>& words) {
+  try {
+    run(words);
+  } catch (const CLI::ValidationError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST(Catalogue, EveryLawIsDescribedAndNamedOnce) {
+  std::set<std::string_view> names;
+  for (const CatalogueEntry& entry : catalogue()) {
+    const LawInfo& info = entry.info;
+    EXPECT_TRUE(names.insert(info.name).second) << info.name << " is there twice";
+    EXPECT_EQ(info.name.find_first_not_of("abcdefghijklmnopqrstuvwxyz0123456789-"), std::string_view::npos);
+    EXPECT_FALSE(info.title.empty() || info.equation.empty() || info.convention.empty()) << info.name;
+    EXPECT_LE(info.reynolds.lower, info.reynolds.upper) << info.name;
+    EXPECT_LE(info.voidage.lower, info.voidage.upper) << info.name;
+    EXPECT_EQ(&find_law(info.name), &entry);
+  }
+}
+
+TEST(Catalogue, HoldsEveryDragLaw) {
+  for_each_law<drag::DragLaws>([](const auto& law) { EXPECT_EQ(find_law(law.info.name).info.kind, LawKind::drag); });
+}
+
+TEST(Catalogue, EverySourceIsInTheBibliography) {
+  std::ifstream file(SLFB_SOURCE_DIR "/reference-data/references.bib");
+  ASSERT_TRUE(file);
+  const std::string bibliography{std::istreambuf_iterator<char>(file), {}};
+  for (const CatalogueEntry& entry : catalogue()) {
+    EXPECT_NE(bibliography.find("{" + std::string(entry.info.source) + ","), std::string::npos)
+        << entry.info.name << " cites " << entry.info.source;
+  }
+}
+
+TEST(Catalogue, EveryLawAnswersTheDefaultArgumentsWithFiniteNumbers) {
+  for (const CatalogueEntry& entry : catalogue()) {
+    const Evaluation evaluation = entry.evaluate(LawArguments{});
+    EXPECT_FALSE(evaluation.quantities.empty()) << entry.info.name;
+    for (const Quantity& quantity : evaluation.quantities) {
+      EXPECT_TRUE(std::isfinite(quantity.value)) << entry.info.name << ": " << quantity.name;
+    }
+  }
+}
+
+TEST(Catalogue, ReconstructionsSaySo) {
+  EXPECT_EQ(find_law("joshi-1983-reconstruction").info.confidence, Confidence::reconstructed);
+  EXPECT_NE(find_law("joshi-1983-reconstruction").info.title.find("reconstruction"), std::string_view::npos);
+}
+
+TEST(LawsCommand, WritesTheFixedJsonShape) {
+  const json answer = json::parse(run({"laws", "--json"}));
+  ASSERT_EQ(answer.at("laws").size(), catalogue().size());
+  for (const json& law : answer.at("laws")) {
+    for (const char* key : {"name", "kind", "source", "title", "equation", "convention", "confidence", "note"}) {
+      EXPECT_TRUE(law.at(key).is_string()) << law;
+    }
+    EXPECT_EQ(law.at("range").at("reynolds").size(), 2u);
+    EXPECT_EQ(law.at("range").at("voidage").size(), 2u);
+  }
+}
+
+TEST(LawsCommand, WritesAnOpenRangeAsNull) {
+  const json answer = json::parse(run({"laws", "--json", "--kind", "classification"}));
+  EXPECT_TRUE(answer.at("laws").at(0).at("range").at("reynolds").at(1).is_null());
+}
+
+TEST(LawsCommand, ShowsOneKind) {
+  const std::string table = run({"laws", "--kind", "drag"});
+  EXPECT_NE(table.find("di-felice-1994"), std::string::npos);
+  EXPECT_EQ(table.find("peng-2014"), std::string::npos);
+  EXPECT_NE(error_of({"laws", "--kind", "dragg"}).find("single-sphere-drag"), std::string::npos);
+}
+
+TEST(LawCommand, WritesTheFixedJsonShape) {
+  const json answer = json::parse(run({"law", "gidaspow-1994", "--voidage", "0.5", "--re", "499.1", "--json"}));
+  EXPECT_EQ(answer.at("law"), "gidaspow-1994");
+  EXPECT_EQ(answer.at("voidage"), 0.5);
+  EXPECT_EQ(answer.at("re"), 499.1);
+  EXPECT_EQ(answer.at("in_range"), true);
+  // Water, 5 mm, w = 0.2 m/s: 3000 + 34937 = 37937 kg/(m³ s), which over 18·1e-3·0.5·0.5/2.5e-5 = 180 is 210.76.
+  EXPECT_NEAR(answer.at("beta").get<double>(), 37937.0, 0.5);
+  EXPECT_NEAR(answer.at("dimensionless_drag").get<double>(), 210.76, 0.01);
+  EXPECT_NEAR(answer.at("slip_velocity").get<double>(), 0.2, 1e-9);
+  EXPECT_EQ(answer.at("units").at("beta"), "kg/(m3 s)");
+  EXPECT_EQ(answer.at("units").at("slip_velocity"), "m/s");
+}
+
+TEST(LawCommand, AnswersOutsideTheRangeAndSaysSo) {
+  const json answer = json::parse(run({"law", "tenneti-2011", "--voidage", "0.45", "--re", "2000", "--json"}));
+  EXPECT_EQ(answer.at("in_range"), false);
+  EXPECT_GT(answer.at("dimensionless_drag").get<double>(), 0.0);
+  EXPECT_NE(run({"law", "tenneti-2011", "--voidage", "0.45", "--re", "2000"}).find("OUTSIDE"), std::string::npos);
+}
+
+TEST(LawCommand, TakesAndRefusesTheLimitsOfItsArguments) {
+  EXPECT_NO_THROW(run({"law", "ergun-1952", "--voidage", "1", "--re", "0", "--json"}));
+  const std::string too_large = error_of({"law", "ergun-1952", "--voidage", "1.2", "--re", "1"});
+  EXPECT_NE(too_large.find("1.2"), std::string::npos);
+  EXPECT_NE(too_large.find("0 < voidage <= 1"), std::string::npos);
+  EXPECT_NE(error_of({"law", "ergun-1952", "--voidage", "0", "--re", "1"}), "");
+  EXPECT_NE(error_of({"law", "ergun-1952", "--voidage", "nan", "--re", "1"}), "");
+  EXPECT_NE(error_of({"law", "ergun-1952", "--voidage", "0.5", "--re", "inf"}), "");
+  EXPECT_NE(error_of({"law", "ergun-1952", "--voidage", "0.5", "--re", "-3"}).find("-3"), std::string::npos);
+}
+
+TEST(LawCommand, NamesWhatIsMissingOrUnknown) {
+  EXPECT_NE(error_of({"law", "ergun-1952", "--voidage", "0.5"}).find("needs --re"), std::string::npos);
+  EXPECT_NE(error_of({"law", "peng-2014", "--re", "5"}).find("does not take --re"), std::string::npos);
+  const std::string unknown = error_of({"law", "gidaspov", "--voidage", "0.5", "--re", "1"});
+  EXPECT_NE(unknown.find("gidaspov"), std::string::npos);
+  EXPECT_NE(unknown.find("gidaspow-1994"), std::string::npos);
+  // Arguments for which the law has no solution are an error that says why.
+  EXPECT_NE(error_of({"law", "di-felice-1991", "--superficial-velocity", "3"}).find("pseudo-fluid"), std::string::npos);
+}
+
+TEST(LawCommand, WritesCsv) {
+  const std::string csv = run({"law", "doroodchi-2012-minimum-fluidisation", "--voidage", "0.4", "--csv"});
+  EXPECT_EQ(csv.find("quantity,value,unit\nvoidage,0.4,1\n"), 0u);
+  EXPECT_NE(csv.find("\nminimum_fluidisation_velocity,0.0423"), std::string::npos);
+  EXPECT_NE(csv.find("\nin_range,1,1\n"), std::string::npos);
+}
+
+TEST(LawCommand, AnswersForEveryLaw) {
+  for (const CatalogueEntry& entry : catalogue()) {
+    std::vector<std::string> words{"law", std::string(entry.info.name), "--json"};
+    for (const Argument* argument : arguments_of(entry.info.kind)) {
+      if (argument->name == "voidage") words.insert(words.end(), {"--voidage", "0.5"});
+      if (argument->name == "re") words.insert(words.end(), {"--re", "100"});
+    }
+    EXPECT_EQ(json::parse(run(words)).at("law"), entry.info.name);
+  }
+}
+
+}  // namespace
+}  // namespace slfb

@@ -1,0 +1,201 @@
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <fstream>
+#include <pugixml.hpp>
+#include <regex>
+#include <set>
+#include <sstream>
+
+#include "experiments/claims.hpp"
+#include "experiments/figure.hpp"
+#include "experiments/inconsistencies.hpp"
+#include "experiments/measure.hpp"
+#include "reports/gnuplot.hpp"
+#include "reports/html.hpp"
+#include "reports/report.hpp"
+#include "tests/unit/synthetic_runs.hpp"
+
+namespace slfb {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string read(const fs::path& file) {
+  std::ifstream stream(file, std::ios::binary);
+  std::ostringstream text;
+  text << stream.rdbuf();
+  return text.str();
+}
+
+/// A folder that goes away with the test.
+class Folder {
+ public:
+  Folder() {
+    std::string name = (fs::temp_directory_path() / "slfb-figures-XXXXXX").string();
+    path_ = mkdtemp(name.data());
+  }
+  Folder(const Folder&) = delete;
+  Folder& operator=(const Folder&) = delete;
+  ~Folder() { fs::remove_all(path_); }
+  [[nodiscard]] const fs::path& path() const { return path_; }
+
+ private:
+  fs::path path_;
+};
+
+/// A heading says what it is and in which unit: "voidage [-]".
+void expect_headings_with_units(const fs::path& file) {
+  std::ifstream stream(file);
+  std::string line;
+  ASSERT_TRUE(std::getline(stream, line)) << file;
+  std::istringstream headings(line);
+  const std::regex pattern(R"(\S.* \[[^\]]+\])");
+  for (std::string heading; std::getline(headings, heading, ',');)
+    EXPECT_TRUE(std::regex_match(heading, pattern)) << file << ": " << heading;
+}
+
+struct Drawn {
+  Profile profile = synthetic::profile();
+  std::vector<FinishedRun> runs;
+  Measurements measurements;
+  std::vector<FigureOutput> outputs;
+};
+
+Drawn draw_all(bool with_runs, const fs::path& folder) {
+  Drawn drawn;
+  if (with_runs) drawn.runs = synthetic::runs(drawn.profile);
+  drawn.measurements = measure_laws();
+  drawn.measurements.merge(measure_runs(drawn.runs));
+  for (const auto& figure : figures())
+    drawn.outputs.push_back(figure.draw({drawn.profile, drawn.runs, drawn.measurements, folder}));
+  return drawn;
+}
+
+class EveryFigure : public testing::TestWithParam<bool> {};
+
+TEST_P(EveryFigure, LeavesPicturesScriptDataAndWords) {
+  const Folder folder;
+  const Drawn drawn = draw_all(GetParam(), folder.path());
+  ASSERT_EQ(drawn.outputs.size(), figures().size());
+  for (std::size_t i = 0; i < drawn.outputs.size(); ++i) {
+    const FigureOutput& output = drawn.outputs[i];
+    EXPECT_EQ(output.id, figures()[i].id);
+    EXPECT_GT(output.caption.size(), 80u) << output.id;
+    EXPECT_FALSE(output.notes.empty()) << output.id;
+    for (const char* format : {"svg", "png", "pdf", "gp"}) {
+      const fs::path file = folder.path() / (output.id + "." + format);
+      ASSERT_TRUE(fs::exists(file)) << file;
+      EXPECT_GT(fs::file_size(file), 500u) << file;
+    }
+    for (const auto& data : output.data) {
+      ASSERT_TRUE(fs::exists(data)) << data;
+      expect_headings_with_units(data);
+    }
+    const std::string script = read(folder.path() / (output.id + ".gp"));
+    EXPECT_EQ(script.find(folder.path().string()), std::string::npos) << "the script names no folder";
+    const std::string picture = read(folder.path() / (output.id + ".svg"));
+    const bool says_missing = picture.find("ot yet simulated") != std::string::npos;
+    EXPECT_EQ(says_missing, !GetParam()) << output.id;
+  }
+}
+
+TEST_P(EveryFigure, IsRedrawnByItsScriptInAnyFolder) {
+  const Folder folder, elsewhere;
+  const Drawn drawn = draw_all(GetParam(), folder.path());
+  for (const auto& output : drawn.outputs) {
+    fs::copy_file(folder.path() / (output.id + ".gp"), elsewhere.path() / (output.id + ".gp"));
+    for (const auto& data : output.data) fs::copy_file(data, elsewhere.path() / data.filename());
+    const std::string command =
+        "cd '" + elsewhere.path().string() + "' && gnuplot '" + output.id + ".gp' > messages 2>&1";
+    ASSERT_EQ(std::system(command.c_str()), 0) << output.id << ": " << read(elsewhere.path() / "messages");
+    EXPECT_EQ(read(elsewhere.path() / "messages"), "") << output.id;
+    EXPECT_EQ(read(elsewhere.path() / (output.id + ".svg")), read(folder.path() / (output.id + ".svg"))) << output.id;
+  }
+}
+
+TEST_P(EveryFigure, AppearsInTheReportWithEveryClaim) {
+  const Folder folder;
+  const fs::path figures_folder = folder.path() / "figures";
+  fs::create_directories(figures_folder);
+  const Drawn drawn = draw_all(GetParam(), figures_folder);
+  const auto evaluations = evaluate(load_claims(), drawn.measurements);
+  const auto odd_rows = inconsistencies();
+  write_report({drawn.profile, drawn.runs, drawn.outputs, evaluations, odd_rows}, figures_folder,
+               folder.path() / "report");
+  fs::remove_all(figures_folder);  // the report is a folder of its own
+
+  const fs::path index = folder.path() / "report" / "index.html";
+  pugi::xml_document page;
+  const auto parsed = page.load_file(index.c_str(), pugi::parse_default, pugi::encoding_utf8);
+  ASSERT_TRUE(parsed) << parsed.description() << " at byte " << parsed.offset;
+  std::set<std::string> ids;
+  for (const auto& found : page.select_nodes("//*[@id]")) {
+    const std::string id = found.node().attribute("id").value();
+    EXPECT_TRUE(ids.insert(id).second) << id << " is used twice";
+  }
+  for (const auto& evaluation : evaluations) EXPECT_TRUE(ids.contains(evaluation.claim.id)) << evaluation.claim.id;
+  for (const auto& figure : figures()) EXPECT_TRUE(ids.contains(figure.id)) << figure.id;
+  for (const auto& row : odd_rows) EXPECT_TRUE(ids.contains("inconsistency-" + row.id)) << row.id;
+  for (const auto& found : page.select_nodes("//@href | //@src")) {
+    const std::string target = found.attribute().value();
+    if (target.starts_with("https://doi.org/")) continue;
+    if (target.starts_with("#")) {
+      EXPECT_TRUE(ids.contains(target.substr(1))) << target;
+    } else {
+      EXPECT_TRUE(fs::exists(folder.path() / "report" / target)) << target;
+    }
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Figures, EveryFigure, testing::Bool(),
+                         [](const auto& instance) { return instance.param ? "WithRuns" : "WithoutRuns"; });
+
+TEST(Gnuplot, AFailingScriptThrowsWithItsMessage) {
+  const Folder folder;
+  try {
+    draw_figure("broken", "plot 'absent.csv' using 1:2\n", {}, folder.path());
+    FAIL() << "no exception";
+  } catch (const std::runtime_error& error) {
+    EXPECT_NE(std::string(error.what()).find("absent.csv"), std::string::npos) << error.what();
+  }
+}
+
+TEST(Gnuplot, AnAbsentGnuplotThrowsAndSaysWhatToInstall) {
+  const Folder folder;
+  const std::string path = getenv("PATH");
+  setenv("PATH", folder.path().c_str(), 1);
+  std::string message;
+  try {
+    draw_figure("absent", "plot x\n", {}, folder.path());
+  } catch (const std::runtime_error& error) {
+    message = error.what();
+  }
+  setenv("PATH", path.c_str(), 1);
+  EXPECT_NE(message.find("gnuplot-nox"), std::string::npos) << message;
+}
+
+TEST(Gnuplot, ARowThatDoesNotMatchTheHeadingsIsRefused) {
+  const Folder folder;
+  EXPECT_THROW(write_csv({"table", {"a [-]", "b [-]"}, {{1.0}}}, folder.path()), std::runtime_error);
+}
+
+TEST(Html, MarkupInTextStaysText) { EXPECT_EQ(escape_html("<a href=\"x\">&'"), "&lt;a href=&quot;x&quot;&gt;&amp;&#39;"); }
+
+TEST(Html, SymbolsInProseGetSubscriptsAndNamesDoNot) {
+  EXPECT_EQ(prose_html("V_2 at U_L = 0.1 m/s"), "V<sub>2</sub> at U<sub>L</sub> = 0.1 m/s");
+  EXPECT_EQ(prose_html("mean |F_c|, α_L."), "mean |F<sub>c</sub>|, α<sub>L</sub>.");
+  EXPECT_EQ(prose_html("fig05.u_mf_crossing, k_n.csv"), "fig05.u_mf_crossing, k_n.csv");
+}
+
+TEST(Html, NumbersReadAsOnPaper) {
+  EXPECT_EQ(readable_number(0.0424), "0.0424");
+  EXPECT_EQ(readable_number(-676.42), "−676.4");
+  EXPECT_EQ(readable_number(51750.0), "51750");
+  EXPECT_EQ(readable_number(1.5e-5), "1.5·10<sup>-5</sup>");
+  EXPECT_EQ(readable_number(std::nan("")), "–");
+}
+
+}  // namespace
+}  // namespace slfb

@@ -1,0 +1,218 @@
+#include "experiments/measure.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+#include <string>
+#include <vector>
+
+namespace slfb {
+namespace {
+
+constexpr double column_diameter = 0.05;
+constexpr int bed_count = 3600;
+
+/// Height of a bed of that voidage [m].
+double bed_height(double voidage) {
+  const double volume = bed_count * std::numbers::pi / 6.0 * std::pow(0.005, 3);
+  return volume / ((1.0 - voidage) * std::numbers::pi / 4.0 * column_diameter * column_diameter);
+}
+
+/// A run of exactly known answers: constant bed, drops that fall at constant speeds.
+FinishedRun made_up_run(double velocity, const std::string& name, double voidage, double pressure,
+                        const std::vector<double>& settling_speeds) {
+  FinishedRun run;
+  run.spec.system = "6in5W";
+  run.spec.superficial_velocity = velocity;
+  run.scene.geometry.diameter = column_diameter;
+  run.scene.geometry.height = 1.0;
+  run.scene.liquid = {998.2, 1e-3, velocity};
+  run.scene.species = {{"glass", 0.005, 2230.0, bed_count}, {"steel", 0.006, 7800.0, 0}};
+  run.result.name = name;
+  run.result.wall_seconds = 100.0;
+  run.result.simulated_seconds = 20.0;
+  run.result.packed_voidage = 0.4;
+  run.result.packed_height = 0.2;
+  const double height = bed_height(voidage);
+  BedSeries& bed = run.result.bed;
+  for (int i = 0; i < 400; ++i) {
+    const bool dropped = i >= 300;
+    bed.time.push_back(0.01 * i);
+    bed.pressure_drop.push_back(dropped ? 9999.0 : pressure);
+    bed.centre_of_mass_height.push_back(0.5 * height);
+    bed.bed_top.push_back(height - 0.0025);
+    bed.fluctuating_energy.push_back(4e-4);
+    bed.contacts_per_particle.push_back(1.0);
+    bed.maximum_overlap.push_back(0.01);
+    bed.foreign_present.push_back(dropped ? 1.0 : 0.0);
+  }
+  const double weight = std::numbers::pi / 6.0 * std::pow(0.006, 3) * 7800.0 * gravity;
+  for (const double speed : settling_speeds) {
+    DropSeries drop;
+    drop.release_time = 3.0;
+    drop.species = "steel";
+    double contacts = 0.0;
+    for (int step = 0;; ++step) {
+      const double z = 0.5 - speed * 1e-3 * step;
+      if (z < 0.003) {
+        drop.bottom_time = 1e-3 * step;
+        break;
+      }
+      contacts += 0.1;
+      drop.time.push_back(1e-3 * step);
+      drop.z.push_back(z);
+      drop.cumulative_contacts.push_back(contacts);
+      for (auto* zero : {&drop.x, &drop.y, &drop.velocity_x, &drop.velocity_y, &drop.angular_speed,
+                         &drop.contact_force_mean_x, &drop.contact_force_mean_y}) {
+        zero->push_back(0.0);
+      }
+      drop.velocity_z.push_back(-speed);
+      drop.voidage.push_back(voidage);
+      drop.liquid_velocity_z.push_back(velocity);
+      drop.reynolds.push_back(1000.0);
+      drop.contact_force.push_back(0.5 * weight);
+      drop.contact_force_mean_z.push_back(0.25 * weight);
+      drop.drag_force_z.push_back(0.25 * weight);
+      drop.pressure_force_z.push_back(0.2 * weight);
+      drop.contacts.push_back(1.0);
+    }
+    run.result.drops.push_back(drop);
+  }
+  return run;
+}
+
+TEST(MeasureKey, HasTwoDecimalsAndAnOptionalVariant) {
+  EXPECT_EQ(measure_key("voidage_bed_top", "6in5W", 0.1), "voidage_bed_top/6in5W/0.10");
+  EXPECT_EQ(measure_key("voidage_bed_top", "6in5W", 0.1, "wen-yu-1966"), "voidage_bed_top/6in5W/0.10/wen-yu-1966");
+  RunSpec spec;
+  spec.system = "6in3N";
+  spec.superficial_velocity = 0.04;
+  EXPECT_EQ(run_key(spec), "6in3N/0.04");
+  spec.variant = "paper-literal";
+  EXPECT_EQ(run_key(spec), "6in3N/0.04/paper-literal");
+}
+
+TEST(MeasureKey, TellsRunsFromLaws) {
+  EXPECT_TRUE(needs_run("pressure_drop/6in5W/0.06"));
+  EXPECT_TRUE(needs_run("pressure_drop/6in5W/*"));
+  EXPECT_TRUE(needs_run("pressure_plateau/6in5W"));
+  EXPECT_FALSE(needs_run("homogeneous_voidage/wen-yu-1966/0.06"));
+  EXPECT_FALSE(needs_run("terminal_velocity/steel-6mm-water"));
+}
+
+TEST(MeasureRuns, WithoutRunsThereIsNothing) { EXPECT_TRUE(measure_runs({}).empty()); }
+
+TEST(MeasureRuns, NumbersOfAKnownRun) {
+  const auto measured = measure_runs({made_up_run(0.06, "a", 0.46, 1450.0, {0.09, 0.10, 0.11})});
+  const auto at = [&](const std::string& quantity) { return measured.at(quantity + "/6in5W/0.06"); };
+  EXPECT_NEAR(at("voidage_centre_of_mass").value, 0.46, 1e-12);
+  EXPECT_NEAR(at("voidage_bed_top").value, 0.46, 1e-12);
+  EXPECT_NEAR(at("pressure_drop").value, 1450.0, 1e-9) << "only the bed before the drop counts";
+  EXPECT_DOUBLE_EQ(at("pressure_drop").half_width, 0.0);
+  EXPECT_EQ(at("pressure_drop").unit, "Pa");
+  EXPECT_EQ(at("pressure_drop").origin, "a");
+  EXPECT_NEAR(at("classification_velocity").value, 0.10, 1e-9);
+  EXPECT_NEAR(at("classification_velocity").half_width, 4.302653 * 0.01 / std::sqrt(3.0), 1e-6);
+  EXPECT_EQ(at("classification_velocity").samples, 3u);
+  // z = 0.5 − V (t − 20) on the paper's clock; mean of 0.5 + 20 V.
+  EXPECT_NEAR(at("classification_intercept").value, 0.5 + 20.0 * 0.10, 1e-6);
+  EXPECT_NEAR(at("collision_force_ratio").value, 0.5, 1e-12);
+  EXPECT_NEAR(at("collision_force_ratio_of_mean").value, 0.25, 1e-12);
+  EXPECT_NEAR(at("collision_to_drag_ratio").value, 2.0, 1e-12);
+  EXPECT_NEAR(at("equation_40_deviation").value, 0.5 / (1.08 + 0.26 * 0.46 - 1.34 * 0.46 * 0.46) - 1.0, 1e-12);
+  EXPECT_NEAR(at("collision_frequency").value, 100.0, 1e-6);
+  EXPECT_NEAR(at("dimensionless_collision_frequency").value, 100.0 * 0.005 / 0.02, 1e-6);
+  // f* over Eqs. 6 and 7 at α_S = 0.54.
+  const double kinetic =
+      24.0 * std::sqrt(2.0 / (3.0 * std::numbers::pi)) * 0.54 * std::pow(1.0 - 0.54 / 0.575, -2.5 * 0.575);
+  EXPECT_NEAR(at("ktgf_ratio").value, 25.0 / kinetic, 1e-6);
+  EXPECT_NEAR(at("stokes_number").value, 2230.0 * 0.02 * 0.005 / (9.0 * 1e-3), 1e-9);
+  EXPECT_NEAR(at("bottom_fraction").value, 1.0, 1e-12);
+  EXPECT_NEAR(at("falling_after_15_s").value, 0.0, 1e-12);
+  EXPECT_NEAR(at("wall_seconds_per_simulated_second").value, 5.0, 1e-12);
+}
+
+TEST(MeasureRuns, ADropThatIsCutShortSaysNothingAboutLaterTimes) {
+  FinishedRun run = made_up_run(0.05, "a", 0.43, 1450.0, {0.05});
+  DropSeries& drop = run.result.drops.front();
+  drop.bottom_time = -1.0;  // followed for about 10 s
+  const auto measured = measure_runs({run});
+  EXPECT_FALSE(measured.contains("falling_after_15_s/6in5W/0.05"));
+  EXPECT_DOUBLE_EQ(measured.at("bottom_fraction/6in5W/0.05").value, 0.0);
+  EXPECT_FALSE(measured.contains("time_to_bottom/6in5W/0.05"));
+}
+
+TEST(MeasureRuns, ASingleDropHasNoInterval) {
+  const auto measured = measure_runs({made_up_run(0.06, "a", 0.46, 1450.0, {0.10})});
+  EXPECT_TRUE(std::isnan(measured.at("classification_velocity/6in5W/0.06").half_width));
+}
+
+TEST(MeasureRuns, RunsOfOneKeyAreReplicates) {
+  const auto measured =
+      measure_runs({made_up_run(0.06, "a", 0.46, 1440.0, {0.10}), made_up_run(0.06, "b", 0.46, 1460.0, {0.12})});
+  EXPECT_NEAR(measured.at("pressure_drop/6in5W/0.06").value, 1450.0, 1e-9);
+  EXPECT_GT(measured.at("pressure_drop/6in5W/0.06").half_width, 0.0);
+  EXPECT_EQ(measured.at("classification_velocity/6in5W/0.06").samples, 2u);
+}
+
+TEST(MeasureRuns, TheSameRunFromTwoPlacesCountsOnce) {
+  const FinishedRun here = made_up_run(0.06, "a", 0.46, 1450.0, {0.10});
+  FinishedRun published = here;
+  published.published = true;
+  EXPECT_EQ(measure_runs({here, published}).at("classification_velocity/6in5W/0.06").samples, 1u);
+}
+
+TEST(MeasureRuns, AStaleRunCountsOnlyAlone) {
+  FinishedRun stale = made_up_run(0.06, "old", 0.50, 1400.0, {0.20});
+  stale.stale = true;
+  const FinishedRun current = made_up_run(0.06, "new", 0.46, 1450.0, {0.10});
+  EXPECT_NEAR(measure_runs({stale, current}).at("pressure_drop/6in5W/0.06").value, 1450.0, 1e-9);
+  EXPECT_NEAR(measure_runs({stale}).at("pressure_drop/6in5W/0.06").value, 1400.0, 1e-9);
+}
+
+TEST(MeasureRuns, VariantsStandApart) {
+  FinishedRun variant = made_up_run(0.06, "v", 0.50, 1400.0, {0.20});
+  variant.spec.variant = "di-felice-1994";
+  const auto measured = measure_runs({made_up_run(0.06, "a", 0.46, 1450.0, {0.10}), variant});
+  EXPECT_NEAR(measured.at("voidage_centre_of_mass/6in5W/0.06").value, 0.46, 1e-12);
+  EXPECT_NEAR(measured.at("voidage_centre_of_mass/6in5W/0.06/di-felice-1994").value, 0.50, 1e-12);
+}
+
+TEST(MeasureRuns, MinimumFluidisationIsTheCrossingOfTheTwoLines) {
+  const auto line = [](double velocity) { return 51750.0 * velocity - 676.42; };
+  const auto measured =
+      measure_runs({made_up_run(0.03, "a", 0.40, line(0.03), {}), made_up_run(0.04, "b", 0.40, line(0.04), {}),
+                    made_up_run(0.06, "c", 0.46, 1500.0, {}), made_up_run(0.10, "d", 0.56, 1540.0, {})});
+  EXPECT_NEAR(measured.at("packed_line_slope/6in5W").value, 51750.0, 1e-6);
+  EXPECT_NEAR(measured.at("packed_line_intercept/6in5W").value, -676.42, 1e-6);
+  EXPECT_NEAR(measured.at("pressure_plateau/6in5W").value, 1520.0, 1e-9);
+  EXPECT_NEAR(measured.at("minimum_fluidisation_velocity/6in5W").value, 0.042443, 1e-6);
+}
+
+TEST(MeasureRuns, EarlyRiseOfTable2) {
+  const auto measured = measure_runs({made_up_run(0.06, "a", 0.46, 1450.0, {0.097, 0.097}),
+                                      made_up_run(0.09, "b", 0.54, 1450.0, {0.229, 0.229}),
+                                      made_up_run(0.24, "c", 0.79, 1450.0, {0.422, 0.422})});
+  // (0.132/0.03) / (0.193/0.15), to the accuracy of the sampled lines.
+  EXPECT_NEAR(measured.at("classification_velocity_rise_ratio/6in5W").value, 3.4197, 1e-3);
+}
+
+TEST(MeasureLaws, HandComputedNumbers) {
+  const auto laws = measure_laws();
+  EXPECT_NEAR(laws.at("minimum_fluidisation_velocity/equation-36").value, 0.0423, 0.00005);
+  EXPECT_NEAR(laws.at("buoyancy_ratio/steel-water").value, 998.2 / 7800.0, 1e-12);
+  EXPECT_NEAR(laws.at("particle_count/3mm").value, 16668.8, 0.1);
+  EXPECT_NEAR(laws.at("packed_pressure/ergun-1952/0.03").value, 792.0, 1.0);
+  EXPECT_NEAR(laws.at("collision_force/van-der-wielen-1996-force/0.06").value, 0.4655, 1e-4);
+  EXPECT_NEAR(laws.at("dimensionless_collision_frequency/simonin-1991/0.42").value, 30.57, 0.01);
+  EXPECT_NEAR(laws.at("steps_per_contact/glass-5mm-glass-5mm").value, 5.37, 0.01);
+  for (const auto& [key, measurement] : laws) {
+    EXPECT_TRUE(std::isfinite(measurement.value)) << key;
+    EXPECT_FALSE(measurement.unit.empty()) << key;
+    EXPECT_FALSE(needs_run(key)) << key;
+  }
+}
+
+}  // namespace
+}  // namespace slfb

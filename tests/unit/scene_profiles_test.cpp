@@ -1,0 +1,93 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <set>
+#include <sstream>
+#include <string>
+
+#include "experiments/campaign.hpp"
+
+namespace slfb {
+namespace {
+
+const std::filesystem::path scenes = std::filesystem::path(SLFB_SOURCE_DIR) / "experiments" / "scenes";
+
+TEST(Scenes, OfTheSuiteAreValid) {
+  for (const auto& entry : std::filesystem::directory_iterator(scenes)) {
+    EXPECT_NO_THROW(load_scene(entry.path())) << entry.path();
+  }
+}
+
+TEST(Scenes, ReferenceTableNamesEveryKey) {
+  std::ifstream file(std::filesystem::path(SLFB_SOURCE_DIR) / "solver" / "scene" / "README.md");
+  const std::string readme{std::istreambuf_iterator<char>(file), {}};
+  for (const char* scene : {"6in5W.toml", "fluidised_box.toml"}) {
+    std::istringstream canonical(canonical_toml(load_scene(scenes / scene)));
+    for (std::string line; std::getline(canonical, line);) {
+      const bool table = line.front() == '[';
+      const std::string cell = "| `" + (table ? line : line.substr(0, line.find(' '))) + "` |";
+      EXPECT_NE(readme.find(cell), std::string::npos) << cell;
+    }
+  }
+}
+
+TEST(Scenes, WorkingAndLiteralSceneAreTheSameCase) {
+  const Scene working = load_scene(scenes / "6in5W.toml");
+  const Scene literal = load_scene(scenes / "6in5W_paper-literal.toml");
+  EXPECT_EQ(literal.species[0].count, 3600);
+  EXPECT_EQ(literal.fluid.pressure_velocity, PressureVelocity::simple);
+  EXPECT_EQ(literal.coupling.void_fraction, VoidFractionScheme::particle_meshing);
+  Scene numerics_exchanged = working;
+  numerics_exchanged.fluid = literal.fluid;
+  numerics_exchanged.coupling = literal.coupling;
+  numerics_exchanged.stages = literal.stages;
+  EXPECT_EQ(scene_hash(numerics_exchanged), scene_hash(literal));
+}
+
+class EachProfile : public testing::TestWithParam<std::string> {};
+
+TEST_P(EachProfile, HoldDistinctRunsOfValidScenes) {
+  const Profile profile = load_profile(GetParam());
+  EXPECT_EQ(profile.name, GetParam());
+  EXPECT_FALSE(profile.runs.empty());
+  std::set<std::string> hashes;
+  for (const RunSpec& run : profile.runs) {
+    const Scene scene = load_scene(scenes / run.scene, run.overrides);
+    EXPECT_EQ(scene.liquid.superficial_velocity, run.superficial_velocity);
+    EXPECT_EQ(scene.coupling.drag_law, run.variant.empty() ? "gidaspow-1994" : run.variant);
+    EXPECT_TRUE(hashes.insert(scene_hash(scene)).second) << run.system << " " << run.superficial_velocity;
+  }
+}
+
+TEST_P(EachProfile, SayWhatSetsThemApart) {
+  for (const std::string& sentence : load_profile(GetParam()).differences) {
+    EXPECT_EQ(sentence.back(), '.') << sentence;
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(All, EachProfile, testing::Values("quick", "full"));
+
+TEST(Profiles, QuickCoversTheVelocitiesOfTheFirstFigures) {
+  const Profile quick = load_profile("quick");
+  const auto runs_at = [&](double velocity, const std::string& variant) {
+    return std::ranges::count_if(
+        quick.runs, [&](const RunSpec& run) { return run.superficial_velocity == velocity && run.variant == variant; });
+  };
+  for (const double velocity : {0.06, 0.07, 0.08, 0.09, 0.10, 0.11}) EXPECT_EQ(runs_at(velocity, ""), 1) << velocity;
+  for (const double velocity : {0.06, 0.10}) EXPECT_EQ(runs_at(velocity, "di-felice-1994"), 1) << velocity;
+}
+
+TEST(Profiles, UnknownNameListsTheKnownOnes) {
+  try {
+    load_profile("swift");
+    FAIL();
+  } catch (const std::runtime_error& error) {
+    EXPECT_NE(std::string(error.what()).find("known: \"full\", \"quick\""), std::string::npos) << error.what();
+  }
+}
+
+}  // namespace
+}  // namespace slfb
