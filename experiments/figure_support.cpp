@@ -1,7 +1,6 @@
 #include "experiments/figure_support.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -12,7 +11,14 @@
 namespace slfb {
 namespace {
 
-std::string join(const std::vector<std::string>& parts) { return fmt::format("{}", fmt::join(parts, ", ")); }
+std::string join(const std::vector<std::string>& parts, const std::string& separator) {
+  std::string text;
+  for (const auto& part : parts) {
+    if (!text.empty()) text += separator;
+    text += part;
+  }
+  return text;
+}
 
 /// Lines of at most `width` characters, broken at spaces.
 std::vector<std::string> wrap(const std::string& text, std::size_t width) {
@@ -24,7 +30,8 @@ std::vector<std::string> wrap(const std::string& text, std::size_t width) {
       lines.push_back(line);
       line.clear();
     }
-    line += (line.empty() ? "" : " ") + word;
+    if (!line.empty()) line += ' ';
+    line += word;
   }
   if (!line.empty()) lines.push_back(line);
   return lines;
@@ -105,8 +112,10 @@ std::string error_bars(const DataTable& table, const std::vector<int>& using_col
   if (std::none_of(table.rows.begin(), table.rows.end(),
                    [&](const auto& row) { return std::isfinite(row[half_width]); }))
     return "";
+  std::vector<std::string> columns;
+  for (const int column : using_columns) columns.push_back(std::to_string(column));
   return fmt::format("'{}.csv' skip 1 using {} with {} linestyle {} pointsize 0 linewidth 1.4 notitle, ", table.name,
-                     fmt::join(using_columns, ":"), style, line_style);
+                     join(columns, ":"), style, line_style);
 }
 
 std::vector<std::string> run_notes(const FigureContext& context, const std::vector<std::string>& keys) {
@@ -123,9 +132,9 @@ std::vector<std::string> run_notes(const FigureContext& context, const std::vect
   }
   if (keys.empty())
     notes.push_back(fmt::format("The profile \"{}\" has no simulation for this figure.", context.profile.name));
-  if (!missing.empty()) notes.push_back(fmt::format("Not yet simulated: {}.", join(missing)));
-  if (!published.empty()) notes.push_back(fmt::format("Read from the committed results: {}.", join(published)));
-  if (!stale.empty()) notes.push_back(fmt::format("Made by an older version of the numerics: {}.", join(stale)));
+  if (!missing.empty()) notes.push_back(fmt::format("Not yet simulated: {}.", join(missing, ", ")));
+  if (!published.empty()) notes.push_back(fmt::format("Read from the committed results: {}.", join(published, ", ")));
+  if (!stale.empty()) notes.push_back(fmt::format("Made by an older version of the numerics: {}.", join(stale, ", ")));
   return notes;
 }
 
@@ -133,20 +142,19 @@ void draw_figure_of_runs(const std::string& id, const std::string& commands, Can
                          const FigureContext& context, const std::vector<std::string>& keys) {
   std::string text = "Not yet simulated with this profile.";
   if (!present_runs(context, keys).empty()) {
-    text = fmt::format("Profile {}. {}", context.profile.name, fmt::join(context.profile.differences, " "));
+    text = fmt::format("Profile {}. {}", context.profile.name, join(context.profile.differences, " "));
   }
   const int characters = std::max(40, canvas.width / 5);
   const auto lines = wrap(text, static_cast<std::size_t>(characters));
   const int line_height = 13;
   const int text_height = line_height * static_cast<int>(lines.size()) + 8;
   canvas.height += text_height;
-  std::string head = fmt::format("height = {}\nbase = {:.5f}\nset origin 0, base\nset size 1, 1 - base\n", canvas.height,
-                                 static_cast<double>(text_height) / canvas.height);
+  std::string head = fmt::format("height = {}\nbase = {:.5f}\nset origin 0, base\nset size 1, 1 - base\n",
+                                 canvas.height, static_cast<double>(text_height) / canvas.height);
   for (std::size_t index = 0; index < lines.size(); ++index) {
-    const double height =
-        (text_height - 4.0 - line_height * (static_cast<double>(index) + 0.5)) / canvas.height;
-    head += fmt::format("set label {} {} at screen 0.012, {:.5f} font ',9' textcolor rgb '#6b7580' front\n", 901 + index,
-                        gnuplot_text(lines[index]), height);
+    const double height = (text_height - 4.0 - line_height * (static_cast<double>(index) + 0.5)) / canvas.height;
+    head += fmt::format("set label {} {} at screen 0.012, {:.5f} font ',9' textcolor rgb '#6b7580' front\n",
+                        901 + index, gnuplot_text(lines[index]), height);
   }
   head += fmt::format("footer_drawn = 'unset for [tag=901:{}] label tag'\n\n", 900 + lines.size());
   draw_figure(id, head + commands, canvas, context.out);

@@ -54,8 +54,9 @@ std::string error_bars(const DataTable& table, const std::vector<int>& using_col
 std::vector<std::string> run_notes(const FigureContext& context, const std::vector<std::string>& keys);
 
 /// Draws ID with the differences of the profile printed below it, or "not yet simulated" when no run of `keys` exists.
-/// `commands` may use the gnuplot variables `height` (of the picture, in pixels) and `base` (the part of it that this text
-/// takes); a figure of several plots begins with `set multiplot` and calls `eval footer_drawn` after its first plot, so that the text is drawn once.
+/// `commands` may use the gnuplot variables `height` (of the picture, in pixels) and `base` (the part of it that this
+/// text takes); a figure of several plots begins with `set multiplot` and calls `eval footer_drawn` after its first
+/// plot, so that the text is drawn once.
 void draw_figure_of_runs(const std::string& id, const std::string& commands, Canvas canvas,
                          const FigureContext& context, const std::vector<std::string>& keys);
 

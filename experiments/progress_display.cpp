@@ -16,7 +16,7 @@ namespace {
 
 constexpr std::chrono::milliseconds terminal_interval{250};
 constexpr std::chrono::seconds plain_interval{20};
-constexpr std::size_t bar_width = 24;
+constexpr std::size_t bar_width = 16;
 
 std::size_t terminal_width() {
   winsize size{};
@@ -29,8 +29,8 @@ std::string bar(double fraction) {
 }
 
 std::string figures_of(const Progress& progress) {
-  return fmt::format("{:<10} {:6.2f} of {:6.2f} s  {:4.1f} M particle steps/s", progress.stage,
-                     progress.simulated_seconds, progress.planned_seconds, 1e-6 * progress.particle_steps_per_second);
+  return fmt::format("{}, {:.2f} of {:.2f} s, {:.1f} M particle steps/s", progress.stage, progress.simulated_seconds,
+                     progress.planned_seconds, 1e-6 * progress.particle_steps_per_second);
 }
 
 }  // namespace
@@ -107,10 +107,13 @@ void ProgressDisplay::draw_block() {
     fmt::print(stderr, "{}\n", line.substr(0, width));
     ++lines_drawn_;
   };
+  std::size_t label_width = 0;
+  for (const Entry& entry : entries_) label_width = std::max(label_width, entry.job.label.size());
   for (const Entry& entry : entries_) {
     if (entry.state != State::running) continue;
-    draw(fmt::format("{:<22} {} {:3.0f} %  {}  {} left", entry.job.label, bar(entry.fraction), 100.0 * entry.fraction,
-                     figures_of(entry.latest), format_duration(seconds_left(entry))));
+    // What matters most comes first, since a narrow terminal cuts the end.
+    draw(fmt::format("{:<{}} {} {:3.0f} %  {:>11} left  {}", entry.job.label, label_width, bar(entry.fraction),
+                     100.0 * entry.fraction, format_duration(seconds_left(entry)), figures_of(entry.latest)));
   }
   if (entries_.size() > 1) draw(summary());
   std::fflush(stderr);

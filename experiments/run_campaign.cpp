@@ -124,7 +124,7 @@ CampaignOutcome run_scenes(const std::vector<NamedScene>& scenes, const Campaign
     for (std::unique_lock lock(mutex); working > 0;) {
       // Wakes up between notices to draw and to see a signal.
       changed.wait_for(lock, std::chrono::milliseconds(100), [&] { return working == 0; });
-      if (signals.requested() && !announced) {
+      if (signals.requested() && !announced && working > 0) {
         display.message(
             "Stopping: the state of each run is being saved. Ctrl-C once more ends at once, without saving.");
         announced = true;

@@ -16,20 +16,21 @@ struct RunEstimate {
   double simulated_seconds = 0.0;   ///< with dropped spheres taken to fall for `typical_fall` [s]
   double longest_seconds = 0.0;     ///< with each dropped sphere waited for as long as the scene allows [s]
   std::int64_t particle_steps = 0;  ///< spheres times DEM steps in simulated_seconds
-  std::int64_t cell_steps = 0;      ///< liquid cells times liquid steps in simulated_seconds
+  std::int64_t cell_steps = 0;      ///< liquid cells times liquid steps in simulated_seconds; the bed settles without
   double core_seconds = 0.0;        ///< at the rates below [s]
 };
 
 /// How long a dropped sphere is taken to fall when nothing is known about it [s].
 inline constexpr double typical_fall = 3.0;
 
-/// Rates of one core of a present-day x86-64 machine, for estimates only [1/s].
-inline constexpr double particle_steps_per_core_second = 5e6;
-inline constexpr double cell_steps_per_core_second = 1e6;
+/// Rates of one core, for estimates only, from the CPU times of 6in5W.toml with two liquid steps on a busy two-core
+/// x86-64 machine: contacts, and the liquid with its coupling to the spheres [1/s].
+inline constexpr double particle_steps_per_core_second = 4e6;
+inline constexpr double cell_steps_per_core_second = 0.7e6;
 
 RunEstimate estimate_run(const Scene& scene);
 
-/// "45 s", "3 min 05 s", "2 h 10 min".
+/// "4.5 s", "45 s", "3 min 05 s", "2 h 10 min".
 std::string format_duration(double seconds);
 
 }  // namespace slfb

@@ -53,8 +53,8 @@ std::pair<std::string, int> run_gnuplot(const std::string& script, const fs::pat
   close(channel[1]);
   if (failure != 0) {
     close(channel[0]);
-    throw std::runtime_error(fmt::format("gnuplot cannot be started: {} (apt-get install gnuplot-nox)",
-                                         std::strerror(failure)));
+    throw std::runtime_error(
+        fmt::format("gnuplot cannot be started: {} (apt-get install gnuplot-nox)", std::strerror(failure)));
   }
   std::string message;
   std::array<char, 4096> buffer{};
@@ -76,7 +76,7 @@ constexpr const char* prologue = R"(# {id}: redraw it with `gnuplot {id}.gp` in 
 if (!exists("format")) {{ do for [format in "svg png pdf"] {{ load '{id}.gp' }}; exit }}
 reset
 if (format eq 'svg') {{ set terminal svg size {width},{height} dynamic enhanced font 'sans-serif,15' background '#ffffff' }}
-if (format eq 'png') {{ set terminal pngcairo size {png_width},{png_height} enhanced font 'DejaVu Sans,15' fontscale 1.5 linewidth 2 pointscale 2 background '#ffffff' }}
+if (format eq 'png') {{ set terminal pngcairo size {png_width},{png_height} enhanced font 'DejaVu Sans,15' fontscale 1.5 linewidth 2 pointscale 3 background '#ffffff' }}
 if (format eq 'pdf') {{ set terminal pdfcairo size {pdf_width:.3f},{pdf_height:.3f} enhanced font 'DejaVu Sans,11' background '#ffffff' }}
 set output '{id}.'.format
 )";
@@ -84,20 +84,20 @@ set output '{id}.'.format
 }  // namespace
 
 fs::path write_csv(const DataTable& table, const fs::path& folder) {
-  std::string text = fmt::format("{}\n", fmt::join(table.columns, ","));
+  std::ostringstream text;
+  for (std::size_t column = 0; column < table.columns.size(); ++column)
+    text << (column == 0 ? "" : ",") << table.columns[column];
+  text << '\n';
   for (const auto& row : table.rows) {
     if (row.size() != table.columns.size())
-      throw std::runtime_error(fmt::format("table {}: a row of {} values under {} headings", table.name, row.size(),
-                                           table.columns.size()));
-    std::string separator;
-    for (const double value : row) {
-      text += separator + (std::isnan(value) ? std::string("NaN") : fmt::format("{:.9g}", value));
-      separator = ",";
-    }
-    text += "\n";
+      throw std::runtime_error(
+          fmt::format("table {}: a row of {} values under {} headings", table.name, row.size(), table.columns.size()));
+    for (std::size_t column = 0; column < row.size(); ++column)
+      text << (column == 0 ? "" : ",") << (std::isnan(row[column]) ? "NaN" : fmt::format("{:.9g}", row[column]));
+    text << '\n';
   }
   const fs::path file = folder / (table.name + ".csv");
-  write_file(file, text);
+  write_file(file, text.str());
   return file;
 }
 
@@ -112,8 +112,8 @@ void draw_figure(const std::string& id, const std::string& commands, const Canva
   for (const char* format : {"svg", "png", "pdf"}) fs::remove(folder / (id + "." + format));
   const auto [message, status] = run_gnuplot(script, folder);
   if (status != 0)
-    throw std::runtime_error(fmt::format("gnuplot failed on {} (exit status {}):\n{}", (folder / script).string(),
-                                         status, message));
+    throw std::runtime_error(
+        fmt::format("gnuplot failed on {} (exit status {}):\n{}", (folder / script).string(), status, message));
   for (const char* format : {"svg", "png", "pdf"}) {
     const fs::path picture = folder / (id + "." + format);
     std::error_code missing;

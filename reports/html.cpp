@@ -11,12 +11,23 @@ std::string escape_html(const std::string& text) {
   std::string escaped;
   for (const char character : text) {
     switch (character) {
-      case '&': escaped += "&amp;"; break;
-      case '<': escaped += "&lt;"; break;
-      case '>': escaped += "&gt;"; break;
-      case '"': escaped += "&quot;"; break;
-      case '\'': escaped += "&#39;"; break;
-      default: escaped += character;
+      case '&':
+        escaped += "&amp;";
+        break;
+      case '<':
+        escaped += "&lt;";
+        break;
+      case '>':
+        escaped += "&gt;";
+        break;
+      case '"':
+        escaped += "&quot;";
+        break;
+      case '\'':
+        escaped += "&#39;";
+        break;
+      default:
+        escaped += character;
     }
   }
   return escaped;
@@ -25,7 +36,8 @@ std::string escape_html(const std::string& text) {
 std::string prose_html(const std::string& text) {
   // A symbol of one or two letters before the underscore, at most three after it: names of files and keys stay as
   // they are.
-  static const std::regex symbol("(^|[^A-Za-z0-9_./-])([A-Za-z]{1,2}|α|ρ|ε|μ|ω)_([A-Za-z0-9]{1,3})(?![A-Za-z0-9_./-]*[A-Za-z0-9_])");
+  static const std::regex symbol(
+      "(^|[^A-Za-z0-9_./-])([A-Za-z]{1,2}|α|ρ|ε|μ|ω)_([A-Za-z0-9]{1,3})(?![A-Za-z0-9_./-]*[A-Za-z0-9_])");
   return std::regex_replace(escape_html(text), symbol, "$1$2<sub>$3</sub>");
 }
 

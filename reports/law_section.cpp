@@ -23,7 +23,8 @@ std::string law_section() {
   std::string html = fmt::format(
       "<section id=\"laws\">\n<h2>Laws</h2>\n<p>Every law of the suite with the range that its source states. How a "
       "formula came to us: <i>read</i> in a source that quotes or implements the original, <i>recalled</i> as common "
-      "knowledge of the field, <i>derived</i> or settled by a limit, or <i>reconstructed</i> as a labelled stand-in for "
+      "knowledge of the field, <i>derived</i> or settled by a limit, or <i>reconstructed</i> as a labelled stand-in "
+      "for "
       "an original that is not at hand. <code>slfb law NAME</code> evaluates one.</p>\n"
       "<div class=\"card scroll\"><table class=\"stack\">\n<thead><tr><th>Law</th><th>Kind</th><th>Formula and "
       "convention</th><th>Re</th><th>Voidage</th><th>Source</th><th>Known by</th></tr></thead>\n<tbody>\n");
@@ -31,10 +32,11 @@ std::string law_section() {
     html += fmt::format(
         "<tr id=\"law-{0}\"><td class=\"lead\">{1}<span class=\"id\">{0}</span></td><td data-label=\"Kind\">{2}</td>"
         "<td data-label=\"Formula\"><div><code>{3}</code><span class=\"id\">{4}{5}</span></div></td>"
-        "<td data-label=\"Re\"><span class=\"number\">{6}</span></td><td data-label=\"Voidage\"><span class=\"number\">{7}"
+        "<td data-label=\"Re\"><span class=\"number\">{6}</span></td><td data-label=\"Voidage\"><span "
+        "class=\"number\">{7}"
         "</span></td><td data-label=\"Source\">{8}</td><td data-label=\"Known by\">{9}</td></tr>\n",
         escape(info.name), escape(info.title), escape(to_string(info.kind)), escape(info.equation),
-        escape(info.convention), info.note.empty() ? "" : ". " + escape(info.note), range_text(info.reynolds),
+        escape(info.convention), info.note.empty() ? "" : " · " + escape(info.note), range_text(info.reynolds),
         range_text(info.voidage), escape(info.source), escape(to_string(info.confidence)));
   }
   return html + "</tbody></table></div>\n</section>\n";

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <fstream>
 #include <map>
+#include <regex>
 #include <set>
 #include <sstream>
 #include <stdexcept>
@@ -39,9 +40,12 @@ std::string verdict_class(Verdict verdict) {
 /// One character per verdict, so that colour is never the only sign.
 const char* verdict_sign(Verdict verdict) {
   switch (verdict) {
-    case Verdict::reproduced: return "✓";
-    case Verdict::not_reproduced: return "✗";
-    case Verdict::not_decidable: return "?";
+    case Verdict::reproduced:
+      return "✓";
+    case Verdict::not_reproduced:
+      return "✗";
+    case Verdict::not_decidable:
+      return "?";
   }
   return "?";
 }
@@ -81,7 +85,8 @@ std::string plural(std::size_t count, const std::string& noun) {
 }
 
 /// Evaluations by the place in the paper: figures, tables, then the text.
-std::vector<std::pair<std::string, std::vector<const Evaluation*>>> by_place(const std::vector<Evaluation>& evaluations) {
+std::vector<std::pair<std::string, std::vector<const Evaluation*>>> by_place(
+    const std::vector<Evaluation>& evaluations) {
   std::vector<std::pair<std::string, std::vector<const Evaluation*>>> groups;
   for (const auto& evaluation : evaluations) {
     const auto known = std::find_if(groups.begin(), groups.end(),
@@ -106,7 +111,8 @@ std::string overview(const ReportContents& contents) {
       "<header class=\"masthead\"><div>\n<h1>Solid–liquid fluidised beds, simulated again</h1>\n"
       "<p>A steel sphere settles through a bed of glass spheres in water. Peng et al. "
       "(<a href=\"https://doi.org/10.1016/j.ces.2014.04.040\">Chem. Eng. Sci., 2014</a>) simulated it with coupled CFD "
-      "and DEM; this report simulates it again with <code>slfb</code> {}, draws their figures, and holds each statement "
+      "and DEM; this report simulates it again with <code>slfb</code> {}, draws their figures, and holds each "
+      "statement "
       "of the paper that can be checked against our own numbers.</p>\n<p class=\"soft\">Profile <b>{}</b>: {} of {} "
       "simulations are available.{}</p>\n</div></header>\n",
       escape_html(SLFB_VERSION), escape_html(contents.profile.name), present.size(), wanted.size(),
@@ -116,11 +122,12 @@ std::string overview(const ReportContents& contents) {
           : "");
   html +=
       "<nav><div><a href=\"#verdicts\">Verdicts</a><a href=\"#figures\">Figures</a><a href=\"#claims\">Claims</a>"
-      "<a href=\"#inconsistencies\">What does not add up</a><a href=\"#laws\">Laws</a><a href=\"#provenance\">Provenance"
+      "<a href=\"#inconsistencies\">What does not add up</a><a href=\"#laws\">Laws</a><a "
+      "href=\"#provenance\">Provenance"
       "</a></div></nav>\n<main>\n<section id=\"verdicts\">\n<h2>Verdicts at a glance</h2>\n";
   const std::array<std::pair<Verdict, std::size_t>, 3> parts{{{Verdict::reproduced, counts.reproduced},
-                                                               {Verdict::not_reproduced, counts.not_reproduced},
-                                                               {Verdict::not_decidable, counts.not_decidable}}};
+                                                              {Verdict::not_reproduced, counts.not_reproduced},
+                                                              {Verdict::not_decidable, counts.not_decidable}}};
   html += "<div class=\"verdict-bar\" role=\"img\" aria-label=\"share of the verdicts\">";
   for (const auto& [verdict, number] : parts)
     if (number > 0) html += fmt::format("<span class=\"{}\" style=\"flex:{}\"></span>", verdict_class(verdict), number);
@@ -155,12 +162,23 @@ std::string list(const std::vector<std::string>& items) {
   return html + "</ul>";
 }
 
-std::string figure_section(const ReportContents& contents) {
+/// Attributes width and height of a picture, so that the page does not move while it loads. gnuplot writes its size as
+/// viewBox="0 0 WIDTH HEIGHT".
+std::string image_size(const fs::path& svg) {
+  std::smatch match;
+  const std::string head = read_file(svg).substr(0, 1000);
+  static const std::regex view_box("viewBox=\"0 0 ([0-9]+) ([0-9]+)\"");
+  if (!std::regex_search(head, match, view_box)) return "";
+  return fmt::format(" width=\"{}\" height=\"{}\"", match.str(1), match.str(2));
+}
+
+std::string figure_section(const ReportContents& contents, const fs::path& figures_folder) {
   std::map<std::string, std::string> titles;
   for (const auto& figure : figures()) titles[figure.id] = figure.title;
   const auto groups = by_place(contents.evaluations);
   std::string html =
-      "<section id=\"figures\">\n<h2>Figures</h2>\n<p>The paper is drawn in black with open symbols or dashed lines, our "
+      "<section id=\"figures\">\n<h2>Figures</h2>\n<p>The paper is drawn in black with open symbols or dashed lines, "
+      "our "
       "simulations in colour with 95 % intervals, laws as thin lines. A symbol stands only where a number exists: the "
       "points of the paper's plots were never published as numbers, so only printed values appear.</p>\n";
   for (const auto& figure : contents.figures) {
@@ -188,14 +206,16 @@ std::string figure_section(const ReportContents& contents) {
                           list(figure.notes));
     html += fmt::format(
         "<article class=\"card figure\" id=\"{0}\">\n<div class=\"picture\"><a href=\"figures/{0}.svg\"><img "
-        "src=\"figures/{0}.svg\" alt=\"{1}\" loading=\"lazy\" /></a></div>\n<div class=\"words\"><span "
+        "src=\"figures/{0}.svg\" alt=\"{1}\"{11} loading=\"lazy\" /></a></div>\n<div class=\"words\"><span "
         "class=\"label\">{2}</span><h3>{10}</h3>\n<p>{3}</p>\n{4}\n{5}\n<div class=\"files\">{6}</div>\n"
         "<details><summary>{8}</summary><div class=\"files\">{9}</div></details>\n"
-        "<p class=\"soft\">Simulate what is missing and draw it again:</p><code class=\"command\">build/slfb figures {0} "
+        "<p class=\"soft\">Simulate what is missing and draw it again:</p><code class=\"command\">build/slfb figures "
+        "{0} "
         "--profile {7}</code></div>\n</article>\n",
         escape_html(figure.id), escape_html(titles[figure.id]), place_in_paper(figure.id), prose_html(figure.caption),
         claims.empty() ? "" : "<p>" + claims + "</p>", notes, files, escape_html(contents.profile.name),
-        plural(figure.data.size(), "table") + " of data (CSV)", tables, prose_html(titles[figure.id]));
+        plural(figure.data.size(), "table") + " of data (CSV)", tables, prose_html(titles[figure.id]),
+        image_size(figures_folder / (figure.id + ".svg")));
   }
   return html + "</section>\n";
 }
@@ -219,17 +239,21 @@ std::string claim_row(const Evaluation& evaluation) {
   std::string band;
   if (claim.paper_band)
     band = fmt::format("<span class=\"id\">band <span class=\"number\">{}</span></span>", band_text(*claim.paper_band));
-  const std::string gate = evaluation.gate == Gate::broken ? " <span class=\"badge not-reproduced\">gate broken</span>" : "";
+  const std::string gate =
+      evaluation.gate == Gate::broken ? " <span class=\"badge not-reproduced\">gate broken</span>" : "";
   return fmt::format(
-      "<tr id=\"{0}\" data-verdict=\"{1}\" data-figure=\"{2}\"><td class=\"lead\">{3}<span class=\"id\">{0} · {4}</span>"
-      "</td><td data-label=\"Verdict\"><div><span class=\"badge {1}\">{5} {6}</span>{7}</div></td><td data-label=\"Paper\">"
+      "<tr id=\"{0}\" data-verdict=\"{1}\" data-figure=\"{2}\"><td class=\"lead\">{3}<span class=\"id\">{0} · "
+      "{4}</span>"
+      "</td><td data-label=\"Verdict\"><div><span class=\"badge {1}\">{5} {6}</span>{7}</div></td><td "
+      "data-label=\"Paper\">"
       "<div>{8}{9}</div></td>{10}{11}<td class=\"reason\" data-label=\"Reason\">{12}</td>"
       "</tr>\n",
       escape_html(claim.id), verdict_class(evaluation.verdict), escape_html(claim.figure), prose_html(claim.quantity),
       escape_html(claim.source), verdict_sign(evaluation.verdict), to_string(evaluation.verdict), gate,
       paper_side(claim), band,
-      ours.empty() ? "<td data-label=\"Ours\"></td>"
-                   : fmt::format("<td data-label=\"Ours\"><div><span class=\"number\">{}</span>{}</div></td>", ours, interval),
+      ours.empty()
+          ? "<td data-label=\"Ours\"></td>"
+          : fmt::format("<td data-label=\"Ours\"><div><span class=\"number\">{}</span>{}</div></td>", ours, interval),
       deviation.empty() ? "<td data-label=\"Deviation\"></td>"
                         : fmt::format("<td data-label=\"Deviation\"><span class=\"number\">{}</span></td>", deviation),
       prose_html(evaluation.reason));
@@ -240,15 +264,20 @@ std::string claim_section(const ReportContents& contents) {
   for (const auto& [place, group] : by_place(contents.evaluations))
     options += fmt::format("<option value=\"{}\">{}</option>", escape_html(place), place_in_paper(place));
   std::string html = fmt::format(
-      "<section id=\"claims\">\n<h2>Claims</h2>\n<p>A claim is one statement of the paper that a number can decide. It is "
+      "<section id=\"claims\">\n<h2>Claims</h2>\n<p>A claim is one statement of the paper that a number can decide. It "
+      "is "
       "reproduced when our number lies in the band beside the paper's; the band is never widened to fit. Not decidable "
       "means that the paper gives no number or no definition, or that the simulation is still to be made; the reason "
       "says which. Small print under our number: its 95 % interval.</p>\n"
-      "<div class=\"filters\" role=\"group\" aria-label=\"filter the claims\"><button value=\"\" aria-pressed=\"true\">all"
-      "</button><button value=\"reproduced\">reproduced</button><button value=\"not-reproduced\">not reproduced</button>"
-      "<button value=\"not-decidable\">not decidable</button><select aria-label=\"place in the paper\">{}</select></div>\n"
+      "<div class=\"filters\" role=\"group\" aria-label=\"filter the claims\"><button value=\"\" "
+      "aria-pressed=\"true\">all"
+      "</button><button value=\"reproduced\">reproduced</button><button value=\"not-reproduced\">not "
+      "reproduced</button>"
+      "<button value=\"not-decidable\">not decidable</button><select aria-label=\"place in the "
+      "paper\">{}</select></div>\n"
       "<p class=\"soft\" id=\"claims-shown\">{}</p>\n"
-      "<div class=\"card scroll\"><table class=\"stack claims\">\n<thead><tr><th>Claim</th><th>Verdict</th><th>Paper</th>"
+      "<div class=\"card scroll\"><table class=\"stack "
+      "claims\">\n<thead><tr><th>Claim</th><th>Verdict</th><th>Paper</th>"
       "<th>Ours</th><th>Deviation</th><th>Reason</th></tr></thead>\n<tbody id=\"claim-rows\">\n",
       options, plural(contents.evaluations.size(), "claim"));
   for (const auto& [place, group] : by_place(contents.evaluations))
@@ -258,13 +287,17 @@ std::string claim_section(const ReportContents& contents) {
 
 std::string inconsistency_section(const ReportContents& contents) {
   std::string html =
-      "<section id=\"inconsistencies\">\n<h2>What does not add up</h2>\n<p>Places where the paper disagrees with itself or "
-      "with the laws it names. Every number here is computed by the suite from the printed ones; none is typed in.</p>\n"
-      "<div class=\"card scroll\"><table class=\"stack\">\n<thead><tr><th>Subject</th><th>Printed</th><th>Recomputed</th>"
+      "<section id=\"inconsistencies\">\n<h2>What does not add up</h2>\n<p>Places where the paper disagrees with "
+      "itself or "
+      "with the laws it names. Every number here is computed by the suite from the printed ones; none is typed "
+      "in.</p>\n"
+      "<div class=\"card scroll\"><table "
+      "class=\"stack\">\n<thead><tr><th>Subject</th><th>Printed</th><th>Recomputed</th>"
       "<th>Why</th></tr></thead>\n<tbody>\n";
   for (const auto& row : contents.inconsistencies) {
     html += fmt::format(
-        "<tr id=\"inconsistency-{}\"><td class=\"lead\">{}<span class=\"id\">{}</span></td><td data-label=\"Printed\"><span "
+        "<tr id=\"inconsistency-{}\"><td class=\"lead\">{}<span class=\"id\">{}</span></td><td "
+        "data-label=\"Printed\"><span "
         "class=\"number\">{}</span></td><td data-label=\"Recomputed\"><span class=\"number\">{}</span></td><td "
         "class=\"reason\" data-label=\"Why\">{}</td></tr>\n",
         escape_html(row.id), prose_html(row.subject), escape_html(row.source),
@@ -278,20 +311,24 @@ std::string provenance_section(const ReportContents& contents) {
   double wall_seconds = 0.0;
   for (const auto& run : contents.runs) wall_seconds += run.result.wall_seconds;
   std::string html = fmt::format(
-      "<section id=\"provenance\">\n<h2>Provenance</h2>\n<p>Written {:%Y-%m-%d %H:%M} UTC by slfb {}, numerics version {}. "
-      "A run is named by the hash of its scene and the numerics version, so that the same scene is never computed twice. "
+      "<section id=\"provenance\">\n<h2>Provenance</h2>\n<p>Written {:%Y-%m-%d %H:%M} UTC by slfb {}, numerics version "
+      "{}. "
+      "A run is named by the hash of its scene and the numerics version, so that the same scene is never computed "
+      "twice. "
       "{} took {} of computing.</p>\n",
       fmt::gmtime(std::chrono::system_clock::to_time_t(std::chrono::system_clock::now())), escape_html(SLFB_VERSION),
       numerics_version, plural(contents.runs.size(), "simulation"), readable_duration(wall_seconds));
-  html += list(contents.profile.differences);
+  html += "<p>Where its simulations differ from the paper's:</p>" + list(contents.profile.differences);
   if (contents.runs.empty()) return html + "<p>No simulation is available yet.</p>\n</section>\n";
   html +=
       "<div class=\"card scroll\"><table class=\"stack\">\n<thead><tr><th>Run</th><th>Scene hash</th><th>Numerics</th>"
-      "<th>Simulated</th><th>Wall time</th><th>Threads</th><th>Machine</th><th>Date</th><th>From</th></tr></thead>\n<tbody>\n";
+      "<th>Simulated</th><th>Wall "
+      "time</th><th>Threads</th><th>Machine</th><th>Date</th><th>From</th></tr></thead>\n<tbody>\n";
   for (const auto& run : contents.runs) {
     const RunResult& result = run.result;
     html += fmt::format(
-        "<tr><td class=\"lead\">{}</td><td data-label=\"Scene hash\"><code>{}</code></td><td data-label=\"Numerics\">{}{}"
+        "<tr><td class=\"lead\">{}</td><td data-label=\"Scene hash\"><code>{}</code></td><td "
+        "data-label=\"Numerics\">{}{}"
         "</td><td data-label=\"Simulated\"><span class=\"number\">{}</span></td><td data-label=\"Wall time\"><span "
         "class=\"number\">{}</span></td><td data-label=\"Threads\">{}</td><td data-label=\"Machine\">{}</td><td "
         "data-label=\"Date\"><span class=\"number\">{}</span></td><td data-label=\"From\">{}</td></tr>\n",
@@ -322,18 +359,21 @@ void write_report(const ReportContents& contents, const fs::path& figures_folder
 
   const fs::path source = fs::path(SLFB_SOURCE_DIR) / "reports";
   std::string html = fmt::format(
-      "<!DOCTYPE html>\n<html lang=\"en\" class=\"no-script\">\n<head>\n<meta charset=\"utf-8\" />\n<meta name=\"viewport\" "
-      "content=\"width=device-width, initial-scale=1\" />\n<title>slfb report</title>\n<style>\n{}</style>\n</head>\n<body>\n",
+      "<!DOCTYPE html>\n<html lang=\"en\" class=\"no-script\">\n<head>\n<meta charset=\"utf-8\" />\n<meta "
+      "name=\"viewport\" "
+      "content=\"width=device-width, initial-scale=1\" />\n<title>slfb "
+      "report</title>\n<style>\n{}</style>\n</head>\n<body>\n",
       read_file(source / "report.css"));
   html += overview(contents);
-  html += figure_section(contents);
+  html += figure_section(contents, figures_folder);
   html += claim_section(contents);
   html += inconsistency_section(contents);
   html += law_section();
   html += provenance_section(contents);
-  html += fmt::format("<footer>slfb {}. The numbers of the paper are facts quoted with their place in it.</footer>\n</main>\n"
-                      "<script>\n{}</script>\n</body>\n</html>\n",
-                      escape_html(SLFB_VERSION), read_file(source / "report.js"));
+  html += fmt::format(
+      "<footer>slfb {}. The numbers of the paper are facts quoted with their place in it.</footer>\n</main>\n"
+      "<script>\n{}</script>\n</body>\n</html>\n",
+      escape_html(SLFB_VERSION), read_file(source / "report.js"));
   const fs::path file = folder / "index.html";
   std::ofstream stream(file, std::ios::binary);
   stream << html;

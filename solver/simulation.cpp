@@ -451,7 +451,7 @@ void Simulation::remove_records(std::int64_t kept) const {
 }
 
 void Simulation::report_progress() {
-  if (!options_.progress || seconds_since(last_report_) < 0.2) return;
+  if (!options_.progress || seconds_since(last_report_) < options_.progress_interval) return;
   last_report_ = Clock::now();
   static constexpr std::array names{"settle", "fluidise", "drop"};
   const Stage& stage = scene_.stages[static_cast<std::size_t>(position_.stage)];

@@ -80,7 +80,7 @@ int print_plan(const Options& options, const Scene& scene) {
                                            estimate.simulated_seconds, typical_fall, estimate.longest_seconds)
                              : fmt::format("{:.2f} s", estimate.simulated_seconds));
   line("wall-clock time",
-       fmt::format("about {} on {} thread{}, at {:.0f} M particle steps and {:.0f} M cell steps per second and thread",
+       fmt::format("about {} on {} thread{}, at {:.1f} M particle steps and {:.1f} M cell steps per second and thread",
                    format_duration(wall_seconds), options.threads, options.threads == 1 ? "" : "s",
                    1e-6 * particle_steps_per_core_second, 1e-6 * cell_steps_per_core_second));
   line("result", result.string() + (exists ? " (exists: nothing would be simulated)" : ""));

@@ -35,7 +35,8 @@ double packed_pressure_drop(const Law& law, double voidage, double superficial_v
   const double reynolds = reynolds_number(paper::water(), glass().diameter, superficial_velocity);
   const double coefficient =
       drag::exchange_coefficient(law({voidage, reynolds}), voidage, glass().diameter, paper::water().viscosity);
-  const double height = peng_2014().value("fluidised_mass_text") / glass().density / paper::column_area() / (1.0 - voidage);
+  const double height =
+      peng_2014().value("fluidised_mass_text") / glass().density / paper::column_area() / (1.0 - voidage);
   return height * coefficient * slip / voidage;
 }
 
@@ -51,23 +52,29 @@ FigureOutput draw(const FigureContext& context) {
   const Peng2014& printed = peng_2014();
   FigureOutput output{"fig05", {}, "", run_notes(context, keys)};
   output.caption = fmt::format(
-      "Pressure drop over the bed of 5 mm glass in water, static head removed, against the superficial velocity; below, the "
+      "Pressure drop over the bed of 5 mm glass in water, static head removed, against the superficial velocity; "
+      "below, the "
       "crossing of the packed-bed line with the plateau, enlarged. Thin lines: Ergun's packed bed at the two "
-      "voidages that the paper's own numbers imply (0.400 from the bed height, 0.425 from its packed solids fraction), up "
-      "to the weight of the bed, {:.1f} Pa. Dashed black: the two straight lines that the paper fits to its simulation. "
-      "Triangles mark minimum fluidisation by Eq. 36. A steady fluidised bed cannot carry more than its weight, yet the "
+      "voidages that the paper's own numbers imply (0.400 from the bed height, 0.425 from its packed solids fraction), "
+      "up "
+      "to the weight of the bed, {:.1f} Pa. Dashed black: the two straight lines that the paper fits to its "
+      "simulation. "
+      "Triangles mark minimum fluidisation by Eq. 36. A steady fluidised bed cannot carry more than its weight, yet "
+      "the "
       "paper's plateau lies above it. The single points of the paper are not available as numbers.",
       bed_weight());
 
   std::vector<PackedLine> lines{{0.400, "Ergun, voidage 0.400", "fig05_ergun_0.400", 12},
                                 {0.425, "Ergun, voidage 0.425", "fig05_ergun_0.425", 13}};
   const auto settled = mean_over_runs(context.measurements, "packed_voidage", system_name);
-  if (settled) lines.push_back({*settled, fmt::format("Ergun, as settled here, {:.3f}", *settled), "fig05_ergun_settled", 14});
+  if (settled)
+    lines.push_back({*settled, fmt::format("Ergun, as settled here, {:.3f}", *settled), "fig05_ergun_settled", 14});
 
   std::string curves;
   for (const auto& line : lines) {
     DataTable table{line.file, {"superficial velocity [m/s]", "pressure drop [Pa]"}, {}};
-    const double end = fluidisation::minimum_fluidisation_velocity(drag::Ergun1952{}, glass(), paper::water(), line.voidage);
+    const double end =
+        fluidisation::minimum_fluidisation_velocity(drag::Ergun1952{}, glass(), paper::water(), line.voidage);
     constexpr int steps = 60;
     for (int step = 0; step <= steps; ++step) {
       const double velocity = end * step / steps;
@@ -86,9 +93,13 @@ FigureOutput draw(const FigureContext& context) {
                                    {"superficial velocity [m/s]", "pressure drop [Pa]"},
                                    {{-intercept / slope, 0.0}, {crossing, plateau}, {0.24, plateau}}},
                                   context.out));
-  DataTable crossings{"fig05_minimum_fluidisation", {"voidage [-]", "superficial velocity [m/s]", "pressure drop [Pa]"}, {}};
+  DataTable crossings{
+      "fig05_minimum_fluidisation", {"voidage [-]", "superficial velocity [m/s]", "pressure drop [Pa]"}, {}};
   for (const auto& line : lines)
-    crossings.rows.push_back({line.voidage, fluidisation::minimum_fluidisation_velocity(drag::Doroodchi2012{}, glass(), paper::water(), line.voidage), bed_weight()});
+    crossings.rows.push_back(
+        {line.voidage,
+         fluidisation::minimum_fluidisation_velocity(drag::Doroodchi2012{}, glass(), paper::water(), line.voidage),
+         bed_weight()});
   output.data.push_back(write_csv(crossings, context.out));
 
   std::string simulated;
@@ -99,9 +110,9 @@ FigureOutput draw(const FigureContext& context) {
                     {}};
     for (const auto& point : points) table.rows.push_back({point.superficial_velocity, point.value, point.half_width});
     output.data.push_back(write_csv(table, context.out));
-    simulated = fmt::format(
-        ", {}'fig05_simulated.csv' skip 1 using 1:2 with points linestyle 2 title {}",
-        error_bars(table, {1, 2, 3}, "yerrorbars", 2), gnuplot_text(series_title(context, system_name, "")));
+    simulated = fmt::format(", {}'fig05_simulated.csv' skip 1 using 1:2 with points linestyle 2 title {}",
+                            error_bars(table, {1, 2, 3}, "yerrorbars", 2),
+                            gnuplot_text(series_title(context, system_name, "")));
   }
   const std::string plot =
       "plot " + curves + "weight with lines linestyle 11 title sprintf('weight of the bed, %.0f Pa', weight), " +
@@ -111,16 +122,18 @@ FigureOutput draw(const FigureContext& context) {
       simulated + "\n";
   const std::string script = fmt::format(
       "weight = {0:.6g}\nset multiplot\nset lmargin at screen 0.155\nset rmargin at screen 0.965\n"
-      "set ylabel 'pressure drop Δp [Pa]' offset 0.3,0\nset xlabel 'superficial liquid velocity U_L [m/s]' offset 0,0.2\n"
-      "split = base + 0.42*(1 - base)\nset tmargin at screen 1 - 12.0/height\nset bmargin at screen split + 40.0/height\n"
+      "set ylabel 'pressure drop Δp [Pa]' offset 1.6,0\nset xlabel 'superficial liquid velocity U_L [m/s]' offset "
+      "0,0.2\n"
+      "split = base + 0.42*(1 - base)\nset tmargin at screen 1 - 12.0/height\nset bmargin at screen split + "
+      "40.0/height\n"
       "set xrange [0:0.25]\nset yrange [0:1800]\nset xtics 0.05\nset ytics 400\n"
       "set key at graph 0.99, graph 0.03 bottom right reverse Left font ',11' spacing 1.05\n{1}eval footer_drawn\n"
-      "set tmargin at screen split - 24.0/height\nset bmargin at screen base + 66.0/height\n"
+      "set tmargin at screen split - 24.0/height\nset bmargin at screen base + 74.0/height\n"
       "set xrange [0.034:0.066]\nset yrange [1000:1600]\nset xtics 0.04, 0.01\nset ytics 200\nunset key\n"
       "set arrow 1 from {2:.6g}, graph 0 to {2:.6g}, {3:.6g} nohead linestyle 1 linewidth 0.8\n"
       "set label 1 'paper {2:.4f}' at {2:.6g}, graph 0.05 rotate by 90 offset 0.9,0 font ',11'\n{1}unset multiplot\n",
       bed_weight(), plot, crossing, plateau);
-  draw_figure_of_runs("fig05", script, {520, 720}, context, keys);
+  draw_figure_of_runs("fig05", script, {520, 730}, context, keys);
   return output;
 }
 

@@ -90,9 +90,10 @@ std::string panels(const DataTable& history, double end, double entry) {
         index, index + 1, panel.title, step * std::floor(lower / step), step * std::ceil(upper / step), step);
     if (index + 1 == panel_list.size())
       script += "set format x '%g'\nset xlabel 'time since release [s]' offset 0,0.3\n";
-    script += simulated ? fmt::format("plot '{}.csv' skip 1 using 1:{} with lines linestyle 2 linewidth 1.3 notitle\n",
-                                      history.name, panel.column)
-                        : "set label 4 'not yet simulated' at graph 0.5, 0.5 center textcolor rgb quiet\nplot NaN notitle\n";
+    script += simulated
+                  ? fmt::format("plot '{}.csv' skip 1 using 1:{} with lines linestyle 2 linewidth 1.3 notitle\n",
+                                history.name, panel.column)
+                  : "set label 4 'not yet simulated' at graph 0.5, 0.5 center textcolor rgb quiet\nplot NaN notitle\n";
     if (index == 0) script += "eval footer_drawn\nunset label 1\nunset label 2\n";
   }
   return script + "unset multiplot\n";
@@ -112,11 +113,11 @@ FigureOutput draw(const FigureContext& context) {
       "numbers, so none is drawn.";
   double end = 4.0;  // of the time axis while nothing is simulated [s]
   double entry = std::numeric_limits<double>::quiet_NaN();
-  DataTable table{"fig08_history",
-                  {"time since release [s]", "height of the centre [m]", "vertical velocity [m/s]",
-                   "angular speed [rad/s]", "voidage at the sphere [-]", "vertical liquid velocity at the sphere [m/s]",
-                   "Reynolds number [-]"},
-                  {}};
+  DataTable table{
+      "fig08_history",
+      {"time since release [s]", "height of the centre [m]", "vertical velocity [m/s]", "angular speed [rad/s]",
+       "voidage at the sphere [-]", "vertical liquid velocity at the sphere [m/s]", "Reynolds number [-]"},
+      {}};
   if (run != nullptr) {
     const DropSeries& drop = run->result.drops.front();
     end = drop.bottom_time > 0.0 ? drop.bottom_time : drop.time.back();

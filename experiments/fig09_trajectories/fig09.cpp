@@ -53,8 +53,10 @@ FigureOutput draw(const FigureContext& context) {
   const auto keys = needs(context.profile);
   FigureOutput output{"fig09", {}, "", run_notes(context, keys)};
   output.caption = fmt::format(
-      "Height of the steel sphere between {:.1f} and {:.1f} m above the distributor, one panel per superficial velocity. "
-      "Thin blue lines: each simulated drop, sampled, with its fitted straight line; dashed black: the line that the paper "
+      "Height of the steel sphere between {:.1f} and {:.1f} m above the distributor, one panel per superficial "
+      "velocity. "
+      "Thin blue lines: each simulated drop, sampled, with its fitted straight line; dashed black: the line that the "
+      "paper "
       "prints for its single drop. Every curve starts its clock where its own line passes {:.1f} m, so that slopes "
       "(classification velocities) can be compared whatever the height of release and the swelling of the bed; the "
       "arrival times themselves are claims of Table 2.",
@@ -74,7 +76,8 @@ FigureOutput draw(const FigureContext& context) {
   const int columns = std::min<int>(2, static_cast<int>(velocities.size()));
   const int rows = (static_cast<int>(velocities.size()) + columns - 1) / columns;
   std::string script = fmt::format(
-      "set multiplot\ncolumns = {}\nrows = {}\nleft = 0.155\nright = 0.985\nbottom = base + 60.0/height\ntop = 1 - 62.0/height\n"
+      "set multiplot\ncolumns = {}\nrows = {}\nleft = 0.155\nright = 0.985\nbottom = base + 60.0/height\ntop = 1 - "
+      "62.0/height\n"
       "gap_x = 0.02\ngap_y = 34.0/height\nwide = (right - left - (columns - 1)*gap_x)/columns\n"
       "high = (top - bottom - (rows - 1)*gap_y)/rows\nset yrange [0.09:0.21]\nset ytics 0.1, 0.05\nunset key\n",
       columns, rows);
@@ -94,9 +97,10 @@ FigureOutput draw(const FigureContext& context) {
       output.data.push_back(write_csv(fits, context.out));
       for (const auto& row : fits.rows) longest = std::max(longest, 0.1 / row[1]);
       for (std::size_t drop = 1; drop <= fits.rows.size(); ++drop)
-        plot += fmt::format("'{}.csv' skip 1 using ($1=={} ? $2 : NaN):3 with lines linecolor rgb pale_2 linewidth 2.2, "
-                            "0.2 - {:.6g}*x with lines linestyle 2 linewidth 0.9, ",
-                            samples.name, drop, fits.rows[drop - 1][1]);
+        plot += fmt::format(
+            "'{}.csv' skip 1 using ($1=={} ? $2 : NaN):3 with lines linecolor rgb pale_2 linewidth 2.2, "
+            "0.2 - {:.6g}*x with lines linestyle 2 linewidth 0.9, ",
+            samples.name, drop, fits.rows[drop - 1][1]);
     }
     const auto& table2 = peng_2014().table2();
     const auto printed = std::find_if(table2.begin(), table2.end(), [&](const Table2Row& row) {
@@ -116,22 +120,27 @@ FigureOutput draw(const FigureContext& context) {
         "set title 'U_L = {2} m/s' font ',13' offset 0,-0.7\n"
         "set label 1 '{3}' at graph 0.97, 0.92 right font ',11' textcolor rgb quiet\n",
         column, row, tag, simulated ? "" : "not yet simulated");
-    panels += column == 0 ? "set format y '%.2f'\nset ylabel 'height z [m]' offset 0.8,0\n" : "set format y ''\nunset ylabel\n";
+    panels += column == 0 ? "set format y '%.2f'\nset ylabel 'height z [m]' offset 0.8,0\n"
+                          : "set format y ''\nunset ylabel\n";
     const bool lowest = place + columns >= static_cast<int>(velocities.size());
-    panels += lowest ? "set format x '%g'\nset xlabel 'time since z = 0.2 m [s]' offset 0,0.4\n" : "set format x ''\nunset xlabel\n";
+    panels += lowest ? "set format x '%g'\nset xlabel 'time since z = 0.2 m [s]' offset 0,0.4\n"
+                     : "set format x ''\nunset xlabel\n";
     panels += "plot " + plot + "\n";
     if (place == 0) panels += "eval footer_drawn\n";
     ++place;
   }
-  // The key has the width of the picture, so it is a plot of its own without axes.
+  // The key has the width of the picture, so it is a plot of its own; gnuplot's would wrap differently in each format.
   const std::string key =
-      "set lmargin at screen left\nset rmargin at screen right\nset tmargin at screen 1 - 4.0/height\n"
-      "set bmargin at screen 1 - 28.0/height\nset key center center horizontal samplen 2 font ',12'\nunset title\nunset label 1\n"
-      "unset border\nunset tics\nunset xlabel\nunset ylabel\n"
-      "plot [0:1][0:1] NaN with lines linecolor rgb pale_2 linewidth 2.2 title 'drops', NaN with lines linestyle 2 "
-      "linewidth 0.9 title 'straight lines', NaN with lines linestyle 1 title 'paper, Table 2'\n";
-  script += fmt::format("set xrange [-0.1:{:.3f}]\n", 1.05 * longest) + panels +
-            key + "unset multiplot\n";
+      "set lmargin at screen left\nset rmargin at screen right\nset tmargin at screen 1 - 6.0/height\n"
+      "set bmargin at screen 1 - 30.0/height\nunset title\nunset label 1\nunset border\nunset tics\nunset "
+      "xlabel\nunset ylabel\n"
+      "set arrow 1 from 0.00, 0.5 to 0.08, 0.5 nohead linecolor rgb pale_2 linewidth 2.2\nset label 11 'drops' at "
+      "0.10, 0.5\n"
+      "set arrow 2 from 0.28, 0.5 to 0.36, 0.5 nohead linestyle 2 linewidth 0.9\nset label 12 'straight lines' at "
+      "0.38, 0.5\n"
+      "set arrow 3 from 0.70, 0.5 to 0.78, 0.5 nohead linestyle 1\nset label 13 'paper' at 0.80, 0.5\n"
+      "plot [0:1][0:1] NaN notitle\n";
+  script += fmt::format("set xrange [-0.1:{:.3f}]\n", 1.05 * longest) + panels + key + "unset multiplot\n";
   draw_figure_of_runs("fig09", script, {520, 100 + 220 * rows}, context, keys);
   return output;
 }

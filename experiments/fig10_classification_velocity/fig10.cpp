@@ -50,7 +50,8 @@ FigureOutput draw(const FigureContext& context) {
   output.caption =
       "Classification velocity of the 6 mm steel sphere in the bed of 5 mm glass, water: slope of the straight line "
       "through z(t) between 0.1 and 0.2 m. Open circles: the 18 values of the paper's Table 2, one drop each. Filled "
-      "symbols: mean of our drops with its 95 % interval, the single drops behind them as pale dots. Thin lines: the limit "
+      "symbols: mean of our drops with its 95 % interval, the single drops behind them as pale dots. Thin lines: the "
+      "limit "
       "without collisions, where weight, pressure gradient of the homogeneous bed and drag of the named law balance; "
       "what lies below a line is the braking by collisions. Gidaspow's line ends where his law has no homogeneous bed. "
       "The experiments of the paper and its exponential fit are not available as numbers.";
@@ -60,9 +61,7 @@ FigureOutput draw(const FigureContext& context) {
     paper.rows.push_back({row.superficial_velocity, row.classification_velocity, row.r_squared});
   output.data.push_back(write_csv(paper, context.out));
 
-  DataTable laws{"fig10_without_collisions",
-                 {"superficial velocity [m/s]", "Eq. 36 [m/s]", "Gidaspow 1994 [m/s]"},
-                 {}};
+  DataTable laws{"fig10_without_collisions", {"superficial velocity [m/s]", "Eq. 36 [m/s]", "Gidaspow 1994 [m/s]"}, {}};
   for (int step = 50; step <= 245; ++step) {
     const double velocity = 1e-3 * step;
     laws.rows.push_back({velocity, collision_free_velocity(drag::Doroodchi2012{}, velocity),
@@ -76,11 +75,13 @@ FigureOutput draw(const FigureContext& context) {
     const std::string tag = variants[place].empty() ? "default" : variants[place];
     const auto points = measured_points(context.measurements, "classification_velocity", system_name, variants[place]);
     if (points.empty()) continue;
-    DataTable mean{"fig10_mean_" + tag,
-                   {"superficial velocity [m/s]", "mean classification velocity [m/s]", "half width of its 95 % interval [m/s]"},
-                   {}};
+    DataTable mean{
+        "fig10_mean_" + tag,
+        {"superficial velocity [m/s]", "mean classification velocity [m/s]", "half width of its 95 % interval [m/s]"},
+        {}};
     for (const auto& point : points) mean.rows.push_back({point.superficial_velocity, point.value, point.half_width});
-    DataTable drops{"fig10_drops_" + tag, {"superficial velocity [m/s]", "classification velocity [m/s]", "R^2 [-]"}, {}};
+    DataTable drops{
+        "fig10_drops_" + tag, {"superficial velocity [m/s]", "classification velocity [m/s]", "R^2 [-]"}, {}};
     for (const auto& run : context.runs) {
       if (!wanted(run.spec) || run.spec.variant != variants[place]) continue;
       for (const auto& drop : run.result.drops)
@@ -93,19 +94,20 @@ FigureOutput draw(const FigureContext& context) {
     faint += fmt::format(
         "'{}.csv' skip 1 using 1:2 with points linestyle {} pointtype 7 pointsize 0.35 linecolor rgb pale_{} notitle, ",
         drops.name, style, style);
-    means += fmt::format(
-        ", {}'{}.csv' skip 1 using 1:2 with points linestyle {} title {}",
-        error_bars(mean, {1, 2, 3}, "yerrorbars", style), mean.name, style, gnuplot_text(series_title(context, system_name, variants[place])));
+    means += fmt::format(", {}'{}.csv' skip 1 using 1:2 with points linestyle {} title {}",
+                         error_bars(mean, {1, 2, 3}, "yerrorbars", style), mean.name, style,
+                         gnuplot_text(series_title(context, system_name, variants[place])));
   }
   const std::string script =
-      "set key bottom right Left reverse font ',12'\nset xrange [0.04:0.25]\nset yrange [0:0.6]\n"
+      "set key tmargin left vertical maxrows 9 Left reverse font ',12'\nset xrange [0.04:0.25]\nset yrange [0:0.6]\n"
       "set xlabel 'superficial liquid velocity U_L [m/s]'\nset ylabel 'classification velocity V_2 [m/s]'\n"
-      "plot " + faint +
+      "plot " +
+      faint +
       "'fig10_without_collisions.csv' skip 1 using 1:2 with lines linestyle 12 title 'without collisions, Eq. 36', "
       "'' skip 1 using 1:3 with lines linestyle 11 title 'without collisions, Gidaspow', "
       "'fig10_paper.csv' skip 1 using 1:2 with points linestyle 1 dashtype 1 title 'paper, Table 2'" +
       means + "\n";
-  draw_figure_of_runs("fig10", script, {520, 420}, context, keys);
+  draw_figure_of_runs("fig10", script, {520, 500}, context, keys);
   return output;
 }
 

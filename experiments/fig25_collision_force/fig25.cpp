@@ -27,11 +27,14 @@ FigureOutput draw(const FigureContext& context) {
   const auto keys = needs(context.profile);
   FigureOutput output{"fig25", {}, "", run_notes(context, keys)};
   output.caption =
-      "Mean collision force on the 6 mm steel sphere in the bed of 5 mm glass, over its weight. Dashed black: the paper's "
-      "correlation, Eq. 40. Small diamonds: van der Wielen's force with the 18 velocities of Table 2, at the voidage that "
+      "Mean collision force on the 6 mm steel sphere in the bed of 5 mm glass, over its weight. Dashed black: the "
+      "paper's "
+      "correlation, Eq. 40. Small diamonds: van der Wielen's force with the 18 velocities of Table 2, at the voidage "
+      "that "
       "Eq. 36 gives for their superficial velocity. Shaded: Grbavčić's force between f = 1 (none) and f = 0, with the "
       "foreign sphere or with the bed spheres in Eq. 14, since neither the function f nor that choice is known. Filled "
-      "symbols: our runs with 95 % intervals (mean magnitude of the contact force from entering the bed to the bottom).";
+      "symbols: our runs with 95 % intervals (mean magnitude of the contact force from entering the bed to the "
+      "bottom).";
 
   DataTable curves{"fig25_laws",
                    {"voidage [-]", "Eq. 40 [-]", "Grbavcic 2009 with f = 0 and the foreign sphere [-]",
@@ -40,10 +43,10 @@ FigureOutput draw(const FigureContext& context) {
   for (int step = 0; step <= 120; ++step) {
     const double voidage = 0.4 + 0.005 * step;
     const auto state = paper::steel_in_glass(0.0, voidage);  // the velocity has no part in these laws
-    curves.rows.push_back({voidage,
-                           collision::Peng2014::info.voidage.contains(voidage) ? collision::Peng2014{}(state, 0.0)
-                                                                               : std::nan(""),
-                           Foreign{0.0}(state), Bed{0.0}(state)});
+    curves.rows.push_back(
+        {voidage,
+         collision::Peng2014::info.voidage.contains(voidage) ? collision::Peng2014{}(state, 0.0) : std::nan(""),
+         Foreign{0.0}(state), Bed{0.0}(state)});
   }
   output.data.push_back(write_csv(curves, context.out));
 
@@ -76,23 +79,27 @@ FigureOutput draw(const FigureContext& context) {
     if (table.rows.empty()) continue;
     output.data.push_back(write_csv(table, context.out));
     const int style = line_style(place);
-    simulated += fmt::format(
-        ", {}{}'{}.csv' skip 1 using 2:4 with points linestyle {} title {}",
-        error_bars(table, {2, 4, 5}, "yerrorbars", style), error_bars(table, {2, 4, 3}, "xerrorbars", style), table.name, style, gnuplot_text(series_title(context, system_name, variants[place])));
+    simulated += fmt::format(", {}{}'{}.csv' skip 1 using 2:4 with points linestyle {} title {}",
+                             error_bars(table, {2, 4, 5}, "yerrorbars", style),
+                             error_bars(table, {2, 4, 3}, "xerrorbars", style), table.name, style,
+                             gnuplot_text(series_title(context, system_name, variants[place])));
   }
   const std::string script =
-      "set key top right Left reverse font ',12'\nset xrange [0.4:1]\nset yrange [0:1.75]\nset ytics 0.25\n"
+      "set key tmargin left vertical maxrows 9 Left reverse font ',12'\nset xrange [0.4:1]\nset yrange [0:1.25]\nset "
+      "ytics 0.25\n"
       "set style fill transparent solid 0.18 noborder\n"
       "set xlabel 'voidage α_L [-]'\nset ylabel 'collision force over weight, |F_c|/mg [-]'\n"
-      "plot 'fig25_laws.csv' skip 1 using 1:3 with filledcurves y=0 linecolor rgb law_four title 'Grbavčić, foreign sphere', "
+      "plot 'fig25_laws.csv' skip 1 using 1:3 with filledcurves y=0 linecolor rgb law_four title 'Grbavčić, foreign "
+      "sphere', "
       "'' skip 1 using 1:3 with lines linestyle 14 notitle, "
       "'' skip 1 using 1:4 with filledcurves y=0 linecolor rgb law_three title 'Grbavčić, bed spheres', "
       "'' skip 1 using 1:4 with lines linestyle 13 notitle, "
-      "'fig25_van_der_wielen.csv' skip 1 using 2:4 with linespoints linestyle 12 pointtype 12 pointsize 0.5 title 'van der "
+      "'fig25_van_der_wielen.csv' skip 1 using 2:4 with linespoints linestyle 12 pointtype 12 pointsize 0.5 title 'van "
+      "der "
       "Wielen with V_2 of Table 2', "
       "'fig25_laws.csv' skip 1 using 1:2 with lines linestyle 1 title 'paper, Eq. 40'" +
       simulated + "\n";
-  draw_figure_of_runs("fig25", script, {520, 440}, context, keys);
+  draw_figure_of_runs("fig25", script, {520, 520}, context, keys);
   return output;
 }
 

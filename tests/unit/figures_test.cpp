@@ -181,7 +181,9 @@ TEST(Gnuplot, ARowThatDoesNotMatchTheHeadingsIsRefused) {
   EXPECT_THROW(write_csv({"table", {"a [-]", "b [-]"}, {{1.0}}}, folder.path()), std::runtime_error);
 }
 
-TEST(Html, MarkupInTextStaysText) { EXPECT_EQ(escape_html("<a href=\"x\">&'"), "&lt;a href=&quot;x&quot;&gt;&amp;&#39;"); }
+TEST(Html, MarkupInTextStaysText) {
+  EXPECT_EQ(escape_html("<a href=\"x\">&'"), "&lt;a href=&quot;x&quot;&gt;&amp;&#39;");
+}
 
 TEST(Html, SymbolsInProseGetSubscriptsAndNamesDoNot) {
   EXPECT_EQ(prose_html("V_2 at U_L = 0.1 m/s"), "V<sub>2</sub> at U<sub>L</sub> = 0.1 m/s");

@@ -1,0 +1,95 @@
+#include <gtest/gtest.h>
+
+#include <csignal>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "experiments/run_campaign.hpp"
+#include "experiments/run_files.hpp"
+#include "experiments/stop_signals.hpp"
+
+namespace slfb {
+namespace {
+
+/// A steel sphere in water at rest: takes milliseconds.
+Scene falling_sphere(double release_height) {
+  RunSpec spec{"sphere", 0.0, "", "single_sphere.toml", {}};
+  spec.overrides.push_back("stage[0].release_height=" + std::to_string(release_height) + " m");
+  return load_run_scene(spec);
+}
+
+class RunCampaignTest : public ::testing::Test {
+ protected:
+  RunCampaignTest()
+      : out_(std::filesystem::path(::testing::TempDir()) /
+             (std::string("slfb_campaign_") + ::testing::UnitTest::GetInstance()->current_test_info()->name())) {
+    std::filesystem::remove_all(out_);
+  }
+  ~RunCampaignTest() override { std::filesystem::remove_all(out_); }
+  [[nodiscard]] CampaignOptions options() const {
+    return {.out = out_, .jobs = 2, .threads_per_run = 1, .progress = false};
+  }
+  std::filesystem::path out_;
+};
+
+TEST_F(RunCampaignTest, RunsWhatIsMissingAndNothingTwice) {
+  const std::vector<NamedScene> scenes{
+      {"low", falling_sphere(0.2)}, {"high", falling_sphere(0.4)}, {"low again", falling_sphere(0.2)}};
+  const CampaignOutcome first = run_scenes(scenes, options());
+  EXPECT_EQ(first.finished, 2);
+  EXPECT_EQ(first.skipped, 0);
+  EXPECT_EQ(first.exit_status(), 0);
+  for (const NamedScene& named : scenes) {
+    const std::string hash = scene_hash(named.scene);
+    const RunResult result = load_result(result_file(out_, hash));
+    EXPECT_EQ(result.name, hash);
+    ASSERT_EQ(result.drops.size(), 1U);
+    EXPECT_GT(result.drops.front().bottom_time, 0.0);
+    EXPECT_EQ(scene_hash(load_scene(run_directory(out_, hash) / "scene.toml")), hash);
+    EXPECT_FALSE(std::filesystem::exists(run_directory(out_, hash) / "checkpoint.h5"));
+  }
+  const CampaignOutcome second = run_scenes(scenes, options());
+  EXPECT_EQ(second.finished, 0);
+  EXPECT_EQ(second.skipped, 2);
+}
+
+TEST_F(RunCampaignTest, AFailureDoesNotStopTheOthers) {
+  const NamedScene broken{"broken", falling_sphere(0.3)};
+  // A file where the folder of the run should be.
+  std::filesystem::create_directories(out_ / "runs");
+  save_result({}, run_directory(out_, scene_hash(broken.scene)));
+  const CampaignOutcome outcome = run_scenes({broken, {"sound", falling_sphere(0.2)}}, options());
+  EXPECT_EQ(outcome.failed, 1);
+  EXPECT_EQ(outcome.finished, 1);
+  EXPECT_EQ(outcome.exit_status(), 1);
+}
+
+TEST_F(RunCampaignTest, FinishedRunsAreFoundAndMissingOnesLeftOut) {
+  const RunSpec done{"sphere", 0.0, "low", "single_sphere.toml", {"stage[0].release_height=0.2 m"}};
+  const RunSpec missing{"sphere", 0.0, "high", "single_sphere.toml", {"stage[0].release_height=0.4 m"}};
+  EXPECT_EQ(run_campaign({done}, options()).finished, 1);
+  const std::vector<FinishedRun> runs = finished_runs({"test", {}, {done, missing}}, out_);
+  ASSERT_EQ(runs.size(), 1U);
+  EXPECT_EQ(runs.front().spec.variant, "low");
+  EXPECT_EQ(runs.front().result.name, scene_hash(runs.front().scene));
+  EXPECT_FALSE(runs.front().published);
+  EXPECT_FALSE(runs.front().stale);
+}
+
+TEST(StopSignalsTest, TheFirstSignalRaisesTheFlagOnly) {
+  const StopSignals signals;
+  EXPECT_FALSE(signals.requested());
+  std::raise(SIGTERM);
+  EXPECT_TRUE(signals.requested());
+}
+
+TEST(CampaignOutcomeTest, AnInterruptionIsReportedAsTheShellDoes) {
+  EXPECT_EQ((CampaignOutcome{.finished = 1, .skipped = 1}).exit_status(), 0);
+  EXPECT_EQ((CampaignOutcome{.failed = 1}).exit_status(), 1);
+  EXPECT_EQ((CampaignOutcome{.failed = 1, .interrupted = 1}).exit_status(), 130);
+  EXPECT_EQ((CampaignOutcome{.failed = 1, .interrupted = 2}).unfinished(), 3);
+}
+
+}  // namespace
+}  // namespace slfb

@@ -1,0 +1,171 @@
+// Whole runs of a small bed: reproducibility, resumption, conservation of spheres, the weight the liquid carries.
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <cmath>
+#include <filesystem>
+#include <numbers>
+
+#include "solver/dem/packing.hpp"
+#include "solver/scene/scene_file.hpp"
+#include "solver/simulation.hpp"
+
+namespace slfb {
+namespace {
+
+Scene small_bed(double superficial_velocity) {
+  Scene scene;
+  scene.geometry.diameter = 0.03;
+  scene.geometry.height = 0.2;
+  scene.liquid = {998.2, 1e-3, superficial_velocity};
+  scene.fluid.cells_across = 5;
+  scene.fluid.cell_height = 0.00625;
+  scene.fluid.time_step = 1e-3;
+  scene.species = {{"glass", 0.005, 2230, 250}, {"steel", 0.006, 7800, 0}};
+  scene.contact.stiffness = 1e3;
+  scene.contact.rolling_friction = 0.0175;
+  scene.contact.time_step = 1e-4;
+  Stage settle, fluidise, drop;
+  settle.kind = StageKind::settle;
+  settle.duration = 0.4;
+  fluidise.kind = StageKind::fluidise;
+  fluidise.duration = 0.3;
+  drop.kind = StageKind::drop;
+  drop.species = "steel";
+  drop.release_height = 0.19;
+  drop.duration = 1.5;
+  drop.relaxation = 0.02;
+  drop.repetitions = 2;
+  scene.stages = {settle, fluidise, drop};
+  return scene;
+}
+
+std::filesystem::path fresh_folder(const char* name) {
+  const auto folder = std::filesystem::temp_directory_path() / "slfb_simulation_test" / name;
+  std::filesystem::remove_all(folder);
+  return folder;
+}
+
+RunResult run(const Scene& scene, const char* folder, int threads) {
+  RunOptions options;
+  options.threads = threads;
+  options.directory = fresh_folder(folder);
+  return run_scene(scene, options).result;
+}
+
+void expect_identical(const RunResult& a, const RunResult& b) {
+  EXPECT_EQ(a.bed.pressure_drop, b.bed.pressure_drop);
+  EXPECT_EQ(a.bed.centre_of_mass_height, b.bed.centre_of_mass_height);
+  EXPECT_EQ(a.bed.fluctuating_energy, b.bed.fluctuating_energy);
+  ASSERT_EQ(a.drops.size(), b.drops.size());
+  for (std::size_t d = 0; d < a.drops.size(); ++d) {
+    EXPECT_EQ(a.drops[d].z, b.drops[d].z);
+    EXPECT_EQ(a.drops[d].contact_force, b.drops[d].contact_force);
+    EXPECT_EQ(a.drops[d].cumulative_contacts, b.drops[d].cumulative_contacts);
+  }
+}
+
+TEST(Simulation, IsBitwiseTheSameAtAnyNumberOfThreads) {
+  const Scene scene = small_bed(0.08);
+  const RunResult one = run(scene, "one", 1);
+  ASSERT_FALSE(one.bed.time.empty());
+  expect_identical(one, run(scene, "two", 2));
+  expect_identical(one, run(scene, "three", 3));
+}
+
+TEST(Simulation, ContinuesAfterAStopAsIfNothingHadHappened) {
+  const Scene scene = small_bed(0.08);
+  RunResult whole = run(scene, "whole", 1);
+
+  RunOptions options;
+  options.directory = fresh_folder("interrupted");
+  int stops = 0;
+  RunOutcome outcome;
+  do {
+    std::atomic<bool> stop = false;
+    // Stop at three awkward moments: in the packed bed, in the fluidised one, while a sphere falls.
+    const double moments[] = {0.2, 0.55, 0.95, 1e9};
+    options.stop = &stop;
+    options.progress = [&](const Progress& progress) {
+      if (progress.simulated_seconds > moments[stops]) stop = true;
+    };
+    options.progress_interval = 0.0;
+    outcome = run_scene(scene, options);
+    if (outcome.status == RunStatus::interrupted) {
+      EXPECT_TRUE(std::filesystem::exists(options.directory / "checkpoint.h5"));
+      ++stops;
+    }
+  } while (outcome.status == RunStatus::interrupted);
+  EXPECT_EQ(stops, 3);
+  EXPECT_FALSE(std::filesystem::exists(options.directory / "checkpoint.h5"));
+
+  // What was recorded before a stop went through the file in single precision; the motion itself must not differ.
+  ASSERT_EQ(whole.drops.size(), outcome.result.drops.size());
+  const auto& expected = whole.drops.back();
+  const auto& actual = outcome.result.drops.back();
+  EXPECT_EQ(expected.z, actual.z);
+  EXPECT_EQ(expected.cumulative_contacts, actual.cumulative_contacts);
+  EXPECT_EQ(whole.bed.time, outcome.result.bed.time);
+  EXPECT_EQ(whole.bed.pressure_drop.back(), outcome.result.bed.pressure_drop.back());
+  EXPECT_EQ(whole.particle_steps, outcome.result.particle_steps);
+}
+
+// A fluidised bed is carried by the liquid: Δp A is its buoyant weight, less what walls and distributor bear.
+TEST(Simulation, LiquidCarriesTheBed) {
+  Scene scene = small_bed(0.1);
+  scene.fluid.wall = LateralBoundary::slip;
+  scene.contact.sliding_friction = 0.0;
+  scene.contact.rolling_friction = 0.0;
+  scene.stages.resize(2);
+  scene.stages[1].duration = 3.0;
+  const RunResult result = run(scene, "weight", 2);
+  const double area = std::numbers::pi * 0.015 * 0.015;
+  const double weight = 250 * (2230 - 998.2) * gravity * std::numbers::pi / 6 * std::pow(0.005, 3) / area;
+  double sum = 0.0;
+  const std::size_t n = result.bed.time.size(), half = n / 2;
+  for (std::size_t k = half; k < n; ++k) sum += result.bed.pressure_drop[k];
+  EXPECT_NEAR(sum / static_cast<double>(n - half), weight, 0.03 * weight);
+}
+
+TEST(Simulation, ExcessiveFlowCarriesSpheresOutAndCountsThem) {
+  Scene scene = small_bed(0.8);
+  scene.outlet.rule = OutletRule::remove;
+  scene.stages.resize(2);
+  scene.stages[1].duration = 1.0;
+  const RunResult result = run(scene, "wash_out", 2);
+  EXPECT_EQ(result.particles_removed, 250);
+}
+
+TEST(Simulation, SavesItsStateWhenItBreaksDown) {
+  Scene scene = small_bed(0.08);
+  scene.contact.time_step = 1e-3;  // far above the bound: the packing explodes
+  scene.contact.allow_large_time_step = true;
+  RunOptions options;
+  options.directory = fresh_folder("failure");
+  try {
+    run_scene(scene, options);
+    FAIL() << "a packing at four times its stable step must not survive";
+  } catch (const std::runtime_error& error) {
+    EXPECT_NE(std::string(error.what()).find("sphere"), std::string::npos) << error.what();
+    EXPECT_TRUE(std::filesystem::exists(options.directory / "failure.h5"));
+  }
+}
+
+// The start is made from integers: the same on any machine, without overlap, inside the column.
+TEST(LoosePacking, IsReproducibleAndFree) {
+  const Scene scene = small_bed(0.08);
+  const auto spheres = dem::loose_packing(scene);
+  ASSERT_EQ(spheres.size(), 250u);
+  EXPECT_EQ(spheres[0].centre, dem::loose_packing(scene)[0].centre);
+  for (std::size_t i = 0; i < spheres.size(); ++i) {
+    const auto& a = spheres[i].centre;
+    EXPECT_LT(std::hypot(a[0], a[1]) + 0.0025, 0.015);
+    for (std::size_t j = 0; j < i; ++j) {
+      const auto& b = spheres[j].centre;
+      EXPECT_GT(std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]), 0.005);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace slfb
