@@ -41,14 +41,14 @@ constexpr std::array arguments{
 constexpr auto evaluate_drag = [](const auto& law, const LawArguments& a) {
   const double drag = law(drag::SuspensionFlow{a.voidage, a.reynolds});
   const double slip = a.reynolds * a.viscosity / (a.liquid_density * a.voidage * a.diameter);
-  return Evaluation{{{"dimensionless_drag", drag, "1"},
+  return LawAnswer{{{"dimensionless_drag", drag, "1"},
                      {"beta", drag::exchange_coefficient(drag, a.voidage, a.diameter, a.viscosity), "kg/(m3 s)"},
                      {"slip_velocity", slip, "m/s"}},
                     a.reynolds};
 };
 
 constexpr auto evaluate_single_sphere = [](const auto& law, const LawArguments& a) {
-  return Evaluation{{{"drag_coefficient", drag::single_sphere::drag_coefficient(law, a.reynolds), "1"},
+  return LawAnswer{{{"drag_coefficient", drag::single_sphere::drag_coefficient(law, a.reynolds), "1"},
                      {"dimensionless_drag", law(a.reynolds), "1"},
                      {"terminal_velocity", fluidisation::terminal_velocity(law, a.particle(), a.liquid()), "m/s"}},
                     a.reynolds};
@@ -63,20 +63,20 @@ double terminal_reynolds(const LawArguments& a) {
 
 constexpr auto evaluate_wall_correction = [](const auto& law, const LawArguments& a) {
   const double reynolds = terminal_reynolds(a);
-  return Evaluation{{{"velocity_ratio", law(a.diameter / a.column_diameter), "1"}, {"reynolds", reynolds, "1"}},
+  return LawAnswer{{{"velocity_ratio", law(a.diameter / a.column_diameter), "1"}, {"reynolds", reynolds, "1"}},
                     reynolds};
 };
 
 constexpr auto evaluate_minimum_fluidisation = [](const auto& law, const LawArguments& a) {
   const double velocity = law(fluidisation::PackedBed{a.particle(), a.liquid(), a.voidage});
   const double reynolds = reynolds_number(a.liquid(), a.diameter, velocity);
-  return Evaluation{{{"minimum_fluidisation_velocity", velocity, "m/s"}, {"reynolds", reynolds, "1"}}, reynolds};
+  return LawAnswer{{{"minimum_fluidisation_velocity", velocity, "m/s"}, {"reynolds", reynolds, "1"}}, reynolds};
 };
 
 constexpr auto evaluate_expansion_exponent = [](const auto& law, const LawArguments& a) {
   const fluidisation::ExpansionConditions conditions{terminal_reynolds(a), archimedes_number(a.particle(), a.liquid()),
                                                      a.diameter / a.column_diameter};
-  return Evaluation{{{"expansion_exponent", law(conditions), "1"}, {"reynolds", conditions.terminal_reynolds, "1"}},
+  return LawAnswer{{{"expansion_exponent", law(conditions), "1"}, {"reynolds", conditions.terminal_reynolds, "1"}},
                     conditions.terminal_reynolds};
 };
 
@@ -85,7 +85,7 @@ constexpr auto evaluate_classification = [](const auto& law, const LawArguments&
   const double velocity = law(state);
   const double slip = velocity + state.interstitial_velocity();
   const double reynolds = reynolds_number(state.liquid, state.foreign.diameter, slip);
-  Evaluation answer{
+  LawAnswer answer{
       {{"settling_velocity", velocity, "m/s"}, {"slip_velocity", slip, "m/s"}, {"reynolds", reynolds, "1"}}, reynolds};
   if constexpr (requires { law.band(state); }) {
     const auto band = law.band(state);
@@ -98,7 +98,7 @@ constexpr auto evaluate_classification = [](const auto& law, const LawArguments&
 constexpr auto evaluate_collision_force = [](const auto& law, const LawArguments& a) {
   const ForeignSphereInBed state = a.foreign_sphere_in_bed();
   const double over_weight = law(state, a.settling_velocity);
-  Evaluation answer{{{"force_over_weight", over_weight, "1"}, {"force", over_weight * state.foreign.weight(), "N"}}};
+  LawAnswer answer{{{"force_over_weight", over_weight, "1"}, {"force", over_weight * state.foreign.weight(), "N"}}};
   if constexpr (requires { law.band(state); }) {
     const auto band = law.band(state);
     answer.quantities.push_back({"force_over_weight_lower", band.lower, "1"});
@@ -108,7 +108,7 @@ constexpr auto evaluate_collision_force = [](const auto& law, const LawArguments
 };
 
 constexpr auto evaluate_radial_distribution = [](const auto& law, const LawArguments& a) {
-  return Evaluation{{{"contact_value", law(1.0 - a.voidage), "1"}}};
+  return LawAnswer{{{"contact_value", law(1.0 - a.voidage), "1"}}};
 };
 
 constexpr auto evaluate_collision_frequency = [](const auto& law, const LawArguments& a) {
@@ -120,13 +120,13 @@ constexpr auto evaluate_collision_frequency = [](const auto& law, const LawArgum
                                         .relative_velocity = a.settling_velocity,
                                         .contact_value = collision::LunSavage1986{}(solids)};
   const double frequency = law(state);
-  return Evaluation{{{"collision_frequency", frequency, "1/s"},
+  return LawAnswer{{{"collision_frequency", frequency, "1/s"},
                      {"dimensionless_frequency", collision::dimensionless_frequency(frequency, state), "1"},
                      {"stokes_number", collision::stokes_number(a.particle(), a.liquid(), a.kinetic_energy), "1"}}};
 };
 
 constexpr auto evaluate_restitution = [](const auto& law, const LawArguments& a) {
-  return Evaluation{{{"restitution_over_dry",
+  return LawAnswer{{{"restitution_over_dry",
                       law(collision::WetImpact{a.particle(), a.liquid(), a.impact_speed, a.roughness}), "1"}}};
 };
 
@@ -206,7 +206,7 @@ const CatalogueEntry& find_law(std::string_view name) {
   throw std::invalid_argument("unknown law \"" + std::string(name) + "\"; known: " + known);
 }
 
-bool in_range(const LawInfo& info, const LawArguments& a, const Evaluation& evaluation) {
+bool in_range(const LawInfo& info, const LawArguments& a, const LawAnswer& evaluation) {
   const std::vector<const Argument*> taken = arguments_of(info.kind);
   const bool takes_voidage = std::ranges::find(taken, "voidage", &Argument::name) != taken.end();
   return (!takes_voidage || info.voidage.contains(a.voidage)) &&

@@ -64,7 +64,7 @@ struct Quantity {
 };
 
 /// What a law answers to a set of arguments.
-struct Evaluation {
+struct LawAnswer {
   std::vector<Quantity> quantities;
   /// Re of the answer, to compare with the range of the law [-]; not a number where the law knows no Re.
   double reynolds = std::numeric_limits<double>::quiet_NaN();
@@ -73,7 +73,7 @@ struct Evaluation {
 /// One law of the catalogue.
 struct CatalogueEntry {
   LawInfo info;
-  Evaluation (*evaluate)(const LawArguments& arguments);
+  LawAnswer (*evaluate)(const LawArguments& arguments);
 };
 
 /// Every law of the suite, kind by kind.
@@ -84,7 +84,7 @@ const std::vector<CatalogueEntry>& catalogue();
 const CatalogueEntry& find_law(std::string_view name);
 
 /// Whether the voidage and the Reynolds number lie in the range that the source states.
-bool in_range(const LawInfo& info, const LawArguments& arguments, const Evaluation& evaluation);
+bool in_range(const LawInfo& info, const LawArguments& arguments, const LawAnswer& evaluation);
 
 std::string_view to_string(LawKind kind);
 std::string_view to_string(Confidence confidence);

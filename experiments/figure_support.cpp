@@ -113,6 +113,7 @@ std::string error_bars(const DataTable& table, const std::vector<int>& using_col
                    [&](const auto& row) { return std::isfinite(row[half_width]); }))
     return "";
   std::vector<std::string> columns;
+  columns.reserve(using_columns.size());
   for (const int column : using_columns) columns.push_back(std::to_string(column));
   return fmt::format("'{}.csv' skip 1 using {} with {} linestyle {} pointsize 0 linewidth 1.4 notitle, ", table.name,
                      join(columns, ":"), style, line_style);

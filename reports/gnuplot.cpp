@@ -96,7 +96,7 @@ fs::path write_csv(const DataTable& table, const fs::path& folder) {
       text << (column == 0 ? "" : ",") << (std::isnan(row[column]) ? "NaN" : fmt::format("{:.9g}", row[column]));
     text << '\n';
   }
-  const fs::path file = folder / (table.name + ".csv");
+  fs::path file = folder / (table.name + ".csv");
   write_file(file, text.str());
   return file;
 }

@@ -27,12 +27,11 @@ int derivative(realtype /*time*/, N_Vector state, N_Vector rate, void* data) {
   const auto& [fall, law] = *static_cast<const Problem*>(data);
   const double velocity = NV_Ith_S(state, 1), slip = fall.liquid_velocity - velocity;
   const double volume = std::numbers::pi / 6.0 * std::pow(fall.diameter, 3);
-  const double reynolds =
-      fall.liquid_density * fall.voidage * std::abs(slip) * fall.diameter / fall.viscosity;
-  const double drag = volume *
-                      drag::exchange_per_solid_volume(law({fall.voidage, reynolds}), fall.voidage, fall.diameter,
-                                                      fall.viscosity) *
-                      slip;
+  const double reynolds = fall.liquid_density * fall.voidage * std::abs(slip) * fall.diameter / fall.viscosity;
+  const double drag =
+      volume *
+      drag::exchange_per_solid_volume(law({fall.voidage, reynolds}), fall.voidage, fall.diameter, fall.viscosity) *
+      slip;
   const double inertia = (fall.density + fall.added_mass * fall.liquid_density) * volume;
   NV_Ith_S(rate, 0) = velocity;
   NV_Ith_S(rate, 1) = (drag - (fall.density - fall.surrounding_density) * volume * gravity) / inertia;

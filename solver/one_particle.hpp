@@ -7,24 +7,25 @@ namespace slfb {
 
 /// One sphere on its vertical way through a uniform suspension or plain liquid: the rung between a correlation and DEM.
 struct OneParticleFall {
-  double diameter = 0.0;            ///< [m]
-  double density = 0.0;             ///< [kg/m³]
-  double liquid_density = 0.0;      ///< [kg/m³]
-  double viscosity = 0.0;           ///< [Pa s]
-  double liquid_velocity = 0.0;     ///< interstitial, upwards [m/s]
-  double voidage = 1.0;             ///< seen by the drag law [-]
-  double surrounding_density = 0.0; ///< whose weight gives the buoyancy: liquid or mixture [kg/m³]
-  double added_mass = 0.0;          ///< coefficient of the displaced liquid's mass, 0.5 for a sphere in potential flow [-]
+  double diameter = 0.0;             ///< [m]
+  double density = 0.0;              ///< [kg/m³]
+  double liquid_density = 0.0;       ///< [kg/m³]
+  double viscosity = 0.0;            ///< [Pa s]
+  double liquid_velocity = 0.0;      ///< interstitial, upwards [m/s]
+  double voidage = 1.0;              ///< seen by the drag law [-]
+  double surrounding_density = 0.0;  ///< whose weight gives the buoyancy: liquid or mixture [kg/m³]
+  double added_mass = 0.0;  ///< coefficient of the displaced liquid's mass, 0.5 for a sphere in potential flow [-]
   std::string drag_law = "wen-yu-1966";
-  double height = 0.0;              ///< at t = 0 [m]
-  double velocity = 0.0;            ///< at t = 0, upwards [m/s]
+  double height = 0.0;    ///< at t = 0 [m]
+  double velocity = 0.0;  ///< at t = 0, upwards [m/s]
 };
 
 struct FallState {
-  double time, height, velocity;    ///< [s], [m], [m/s]
+  double time, height, velocity;  ///< [s], [m], [m/s]
 };
 
-/// Solves (m + C ρ V) dv/dt = −(ρ_p − ρ_s) V g + V β/(1 − ε) (u − v), dz/dt = v, by CVODE (BDF, relative tolerance 1e-10).
+/// Solves (m + C ρ V) dv/dt = −(ρ_p − ρ_s) V g + V β/(1 − ε) (u − v), dz/dt = v, by CVODE (BDF, relative tolerance
+/// 1e-10).
 ///
 /// \param times increasing output times [s]; the first state is that at times.front()
 /// \throws std::runtime_error if CVODE fails, std::invalid_argument for an unknown drag law

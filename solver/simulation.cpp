@@ -32,7 +32,9 @@ double seconds_since(Clock::time_point start) { return std::chrono::duration<dou
 double process_cpu_seconds() {
   rusage usage{};
   getrusage(RUSAGE_THREAD, &usage);
-  const auto seconds = [](const timeval& t) { return static_cast<double>(t.tv_sec) + 1e-6 * static_cast<double>(t.tv_usec); };
+  const auto seconds = [](const timeval& t) {
+    return static_cast<double>(t.tv_sec) + 1e-6 * static_cast<double>(t.tv_usec);
+  };
   return seconds(usage.ru_utime) + seconds(usage.ru_stime);
 }
 
@@ -167,8 +169,9 @@ void Simulation::end_stage() {
       volume += particles.volume(i);
     }
     const Geometry& geometry = scene_.geometry;
-    const double area = geometry.shape == Shape::cylinder ? 0.25 * std::numbers::pi * geometry.diameter * geometry.diameter
-                                                          : geometry.width[0] * geometry.width[1];
+    const double area = geometry.shape == Shape::cylinder
+                            ? 0.25 * std::numbers::pi * geometry.diameter * geometry.diameter
+                            : geometry.width[0] * geometry.width[1];
     result_.packed_height = 2.0 * moment / volume;
     result_.packed_voidage = 1.0 - volume / (area * result_.packed_height);
   }
@@ -348,8 +351,8 @@ void Simulation::write_snapshot() {
   const double time = fluidised_seconds();
   io::write_particles_vtkhdf(folder / fmt::format("particles_{:08.3f}s.vtkhdf", time), engine_.particles, time);
   if (liquid_)
-    io::write_liquid_vtkhdf(folder / fmt::format("liquid_{:08.3f}s.vtkhdf", time), liquid_->grid(), coupled_->void_fraction(),
-                            coupled_->cell_velocity(), liquid_->pressure(), time);
+    io::write_liquid_vtkhdf(folder / fmt::format("liquid_{:08.3f}s.vtkhdf", time), liquid_->grid(),
+                            coupled_->void_fraction(), coupled_->cell_velocity(), liquid_->pressure(), time);
 }
 
 void Simulation::save(const std::filesystem::path& file) const {
@@ -418,7 +421,8 @@ bool Simulation::resume(const std::filesystem::path& file) {
   const auto pairs = h5.read_integers("contacts/pairs");
   const auto springs = h5.read_doubles("contacts/springs");
   for (std::size_t c = 0; c < pairs.size() / 2; ++c)
-    memory.contacts.push_back({static_cast<std::uint32_t>(pairs[2 * c]), static_cast<std::uint32_t>(pairs[2 * c + 1]),
+    memory.contacts.push_back({static_cast<std::uint32_t>(pairs[2 * c]),
+                               static_cast<std::uint32_t>(pairs[2 * c + 1]),
                                {springs[3 * c], springs[3 * c + 1], springs[3 * c + 2]}});
   memory.wall_springs = h5.read_doubles("contacts/wall_springs");
   memory.contact_events = h5.read_integers("contacts/events");
@@ -457,7 +461,8 @@ void Simulation::report_progress() {
   const Stage& stage = scene_.stages[static_cast<std::size_t>(position_.stage)];
   Progress progress;
   progress.stage = names[static_cast<std::size_t>(stage.kind)];
-  if (stage.kind == StageKind::drop) progress.stage += fmt::format(" {}/{}", position_.repetition + 1, stage.repetitions);
+  if (stage.kind == StageKind::drop)
+    progress.stage += fmt::format(" {}/{}", position_.repetition + 1, stage.repetitions);
   progress.simulated_seconds = result_.simulated_seconds;
   progress.planned_seconds = std::max(planned_seconds(), result_.simulated_seconds);
   progress.wall_seconds = wall_before_ + seconds_since(started_);
@@ -486,8 +491,8 @@ RunOutcome Simulation::run() {
   if (resume(checkpoint)) spdlog::info("resuming {} at {:.3f} s", result_.name, result_.simulated_seconds);
   steps_at_start_ = result_.particle_steps;
   try {
-    for (; position_.stage < static_cast<std::int64_t>(scene_.stages.size()); ++position_.stage, position_.steps = 0,
-                                                                              position_.repetition = 0, position_.phase_steps = 0) {
+    for (; position_.stage < static_cast<std::int64_t>(scene_.stages.size());
+         ++position_.stage, position_.steps = 0, position_.repetition = 0, position_.phase_steps = 0) {
       begin_stage();
       while (!stage_finished()) {
         advance();
@@ -501,8 +506,9 @@ RunOutcome Simulation::run() {
   } catch (const std::runtime_error& error) {
     const auto file = options_.directory / "failure.h5";
     save(file);
-    throw std::runtime_error(fmt::format("{} s after the start of the run ({} s of fluidisation): {}; state saved in {}",
-                                         result_.simulated_seconds, fluidised_seconds(), error.what(), file.string()));
+    throw std::runtime_error(
+        fmt::format("{} s after the start of the run ({} s of fluidisation): {}; state saved in {}",
+                    result_.simulated_seconds, fluidised_seconds(), error.what(), file.string()));
   }
   update_cost();
   std::filesystem::remove(checkpoint);

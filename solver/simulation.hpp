@@ -22,7 +22,7 @@ struct RunOptions {
   int threads = 1;
   std::filesystem::path directory;  ///< of checkpoint.h5, failure.h5 and snapshots; created if missing
   std::function<void(const Progress&)> progress;
-  double progress_interval = 0.2;   ///< wall-clock time between calls of `progress` [s]
+  double progress_interval = 0.2;           ///< wall-clock time between calls of `progress` [s]
   const std::atomic<bool>* stop = nullptr;  ///< set from outside to end after the present liquid step
 };
 

@@ -116,7 +116,7 @@ void check_arguments(const LawInfo& info, const LawArguments& arguments, const C
 }
 
 void print_csv(const CatalogueEntry& entry, const LawArguments& arguments) {
-  const Evaluation evaluation = entry.evaluate(arguments);
+  const LawAnswer evaluation = entry.evaluate(arguments);
   std::cout << "quantity,value,unit\n";
   for (const Argument* argument : arguments_of(entry.info.kind)) {
     std::cout << fmt::format("{},{},{}\n", argument->name, arguments.*(argument->value), argument->unit);
@@ -129,7 +129,7 @@ void print_csv(const CatalogueEntry& entry, const LawArguments& arguments) {
 
 void print_text(const CatalogueEntry& entry, const LawArguments& arguments) {
   const LawInfo& info = entry.info;
-  const Evaluation evaluation = entry.evaluate(arguments);
+  const LawAnswer evaluation = entry.evaluate(arguments);
   std::cout << fmt::format("{}: {}\n", info.name, info.title);
   auto line = [](std::string_view label, std::string_view text) {
     if (!text.empty()) std::cout << fmt::format("  {:<11} {}\n", label, text);
@@ -161,7 +161,7 @@ json laws_as_json(const std::string& kind) {
 }
 
 json evaluation_as_json(const CatalogueEntry& entry, const LawArguments& arguments) {
-  const Evaluation evaluation = entry.evaluate(arguments);
+  const LawAnswer evaluation = entry.evaluate(arguments);
   json answer{{"law", entry.info.name},
               {"kind", to_string(entry.info.kind)},
               {"source", entry.info.source},

@@ -11,6 +11,9 @@
 #include "experiments/analysis.hpp"
 #include "experiments/figure_support.hpp"
 #include "experiments/measure.hpp"
+#include "experiments/paper_conditions.hpp"
+#include "experiments/reference_data.hpp"
+#include "solver/one_particle.hpp"
 
 namespace slfb {
 namespace {
@@ -27,15 +30,16 @@ std::vector<std::string> needs(const Profile& profile) {
 struct Panel {
   const char* title;
   int column;
+  int fall_column;      // of the sphere alone in clear liquid; 0: not drawn
   double lower, upper;  // of the axis while nothing is simulated
 };
 
-constexpr std::array<Panel, 6> panel_list{{{"height z [m]", 2, 0.0, 1.0},
-                                           {"vertical velocity v_z [m/s]", 3, -1.0, 0.0},
-                                           {"angular speed |ω| [rad/s]", 4, 0.0, 40.0},
-                                           {"voidage at the sphere α_L [-]", 5, 0.4, 1.0},
-                                           {"vertical liquid velocity at the sphere u_z [m/s]", 6, 0.0, 0.4},
-                                           {"Reynolds number Re_p [-]", 7, 0.0, 8000.0}}};
+constexpr std::array<Panel, 6> panel_list{{{"height z [m]", 2, 2, 0.0, 1.0},
+                                           {"vertical velocity v_z [m/s]", 3, 3, -1.0, 0.0},
+                                           {"angular speed |ω| [rad/s]", 4, 0, 0.0, 40.0},
+                                           {"voidage at the sphere α_L [-]", 5, 0, 0.4, 1.0},
+                                           {"vertical liquid velocity at the sphere u_z [m/s]", 6, 0, 0.0, 0.4},
+                                           {"Reynolds number Re_p [-]", 7, 4, 0.0, 8000.0}}};
 
 /// Mean height of the top of the bed over the second half of the time before the release.
 std::optional<double> bed_top_before(const BedSeries& bed, double release_time) {
@@ -50,6 +54,33 @@ std::optional<double> bed_top_before(const BedSeries& bed, double release_time) 
   return sum / samples;
 }
 
+/// The sphere alone in the clear liquid above the bed, by the one-particle equation, from `release_height` down to
+/// `bed_top`: an independent check of the first two stages.
+DataTable clear_liquid_fall(double release_height, double bed_top) {
+  const Sphere steel = paper::steel(0.006);
+  const LiquidProperties water = paper::water();
+  OneParticleFall fall;
+  fall.diameter = steel.diameter;
+  fall.density = steel.density;
+  fall.liquid_density = water.density;
+  fall.viscosity = water.viscosity;
+  fall.liquid_velocity = superficial_velocity;
+  fall.surrounding_density = water.density;
+  fall.height = release_height;
+  std::vector<double> times;
+  for (int step = 0; step <= 300; ++step) times.push_back(0.01 * step);
+  DataTable table{
+      "fig08_clear_liquid",
+      {"time since release [s]", "height of the centre [m]", "vertical velocity [m/s]", "Reynolds number [-]"},
+      {}};
+  for (const auto& state : integrate_fall(fall, times)) {
+    if (state.height < bed_top) break;
+    const double slip = std::fabs(superficial_velocity - state.velocity);
+    table.rows.push_back({state.time, state.height, state.velocity, reynolds_number(water, steel.diameter, slip)});
+  }
+  return table;
+}
+
 /// A step of 1, 2 or 5 times a power of ten that divides `extent` into two to four parts.
 double tic_step(double extent) {
   const double power = std::pow(10.0, std::floor(std::log10(extent / 2.0)));
@@ -60,16 +91,17 @@ double tic_step(double extent) {
 
 /// Six panels above each other that share the time axis. `entry` is the instant of entering the bed, not a number when
 /// that is not known.
-std::string panels(const DataTable& history, double end, double entry) {
+std::string panels(const DataTable& history, const DataTable& fall, double end, double entry) {
   const bool simulated = !history.rows.empty();
   std::string script = fmt::format(
       "set multiplot\nset lmargin at screen 0.125\nset rmargin at screen 0.97\nset xrange [0:{:.3f}]\n"
-      "set format x ''\nset xtics 0.5\nbottom = base + 58.0/height\npitch = (1 - bottom)/6\n",
-      end);
+      "set format x ''\nset xtics {:.6g}\nbottom = base + 58.0/height\npitch = (1 - bottom)/6\n"
+      "set label 5 'line: one sphere alone, integrated' at graph 0.99, 0.85 right font ',11' textcolor rgb law_one\n",
+      end, tic_step(end));
   if (std::isfinite(entry))
     script += fmt::format(
         "set arrow 1 from {0:.4f}, graph 0 to {0:.4f}, graph 1 nohead linestyle 20\n"
-        "set label 1 '  in the bed' at {0:.4f}, graph 0.85 font ',11' textcolor rgb quiet\n"
+        "set label 1 '  in the bed' at {0:.4f}, graph 0.12 font ',11' textcolor rgb quiet\n"
         "set label 2 'in clear liquid  ' at {0:.4f}, graph 0.12 right font ',11' textcolor rgb quiet\n",
         entry);
   for (std::size_t index = 0; index < panel_list.size(); ++index) {
@@ -91,10 +123,14 @@ std::string panels(const DataTable& history, double end, double entry) {
     if (index + 1 == panel_list.size())
       script += "set format x '%g'\nset xlabel 'time since release [s]' offset 0,0.3\n";
     script += simulated
-                  ? fmt::format("plot '{}.csv' skip 1 using 1:{} with lines linestyle 2 linewidth 1.3 notitle\n",
+                  ? fmt::format("plot '{}.csv' skip 1 using 1:{} with lines linestyle 2 linewidth 1.3 notitle",
                                 history.name, panel.column)
-                  : "set label 4 'not yet simulated' at graph 0.5, 0.5 center textcolor rgb quiet\nplot NaN notitle\n";
-    if (index == 0) script += "eval footer_drawn\nunset label 1\nunset label 2\n";
+                  : "set label 4 'not yet simulated' at graph 0.5, 0.5 center textcolor rgb quiet\nplot NaN notitle";
+    if (panel.fall_column > 0)
+      script +=
+          fmt::format(", '{}.csv' skip 1 using 1:{} with lines linestyle 11 notitle", fall.name, panel.fall_column);
+    script += "\n";
+    if (index == 0) script += "eval footer_drawn\nunset label 1\nunset label 2\nunset label 5\n";
   }
   return script + "unset multiplot\n";
 }
@@ -109,10 +145,14 @@ FigureOutput draw(const FigureContext& context) {
       "First steel sphere (6 mm) released above the bed of 5 mm glass at U_L = 0.10 m/s: height, vertical and "
       "angular velocity, voidage and vertical liquid velocity at the sphere, and its Reynolds number (Eq. 25). It "
       "accelerates, falls steadily through clear liquid and then settles through the bed. The dotted line marks the "
-      "instant at which its centre passes the mean top of the bed. The curves of the paper are not available as "
+      "instant at which its centre passes the mean top of the bed. Thin red: the same sphere alone in "
+      "clear liquid that rises at U_L, by the one-particle equation with Wen and Yu's drag and no added mass. The "
+      "curves of the paper are not available as "
       "numbers, so none is drawn.";
   double end = 4.0;  // of the time axis while nothing is simulated [s]
   double entry = std::numeric_limits<double>::quiet_NaN();
+  double release_height = peng_2014().value("column_height") - 0.003;  // the whole sphere in the column [m]
+  double bed_top = peng_2014().value("packed_height");
   DataTable table{
       "fig08_history",
       {"time since release [s]", "height of the centre [m]", "vertical velocity [m/s]", "angular speed [rad/s]",
@@ -125,10 +165,15 @@ FigureOutput draw(const FigureContext& context) {
       table.rows.push_back({drop.time[i], drop.z[i], drop.velocity_z[i], drop.angular_speed[i], drop.voidage[i],
                             drop.liquid_velocity_z[i], drop.reynolds[i]});
     output.data.push_back(write_csv(table, context.out));
-    if (const auto top = bed_top_before(run->result.bed, drop.release_time))
-      if (const auto passage = bed_passage(drop, *top)) entry = drop.time[passage->begin];
+    release_height = drop.z.front();
+    if (const auto top = bed_top_before(run->result.bed, drop.release_time)) {
+      bed_top = *top;
+      if (const auto passage = bed_passage(drop, bed_top)) entry = drop.time[passage->begin];
+    }
   }
-  draw_figure_of_runs("fig08", panels(table, end, entry), {520, 800}, context, keys);
+  const DataTable fall = clear_liquid_fall(release_height, bed_top);
+  output.data.push_back(write_csv(fall, context.out));
+  draw_figure_of_runs("fig08", panels(table, fall, end, entry), {520, 800}, context, keys);
   return output;
 }
 

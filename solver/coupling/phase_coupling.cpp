@@ -60,8 +60,7 @@ void PhaseCoupling::predict_velocity(const dem::Engine& engine, double time_step
     const double mass = particles.mass[i];
     const double damping = 1.0 + coefficient_[i] * time_step / mass;
     for (std::size_t a = 0; a < 3; ++a) {
-      const double other =
-          contact[a] + wall[a] + volume_[i] * stress_[a][i] + (a == 2 ? buoyant_weight : 0.0);
+      const double other = contact[a] + wall[a] + volume_[i] * stress_[a][i] + (a == 2 ? buoyant_weight : 0.0);
       predicted_velocity_[a][i] = (*velocity[a])[i] + time_step * other / mass;
     }
     coefficient_[i] /= damping;

@@ -29,8 +29,10 @@ std::vector<std::array<double, 3>> VolumeShares::meshing_template(int pieces) {
     const int upto =
         s == shells ? pieces : static_cast<int>(std::lround(pieces * std::pow(static_cast<double>(s) / shells, 3)));
     const int count = upto - placed;
-    const double inner = std::cbrt(static_cast<double>(placed) / pieces), outer = std::cbrt(static_cast<double>(upto) / pieces);
-    // Radius of gyration of the shell, so that the second moment of the ball is kept; the innermost single piece is the centre.
+    const double inner = std::cbrt(static_cast<double>(placed) / pieces),
+                 outer = std::cbrt(static_cast<double>(upto) / pieces);
+    // Radius of gyration of the shell, so that the second moment of the ball is kept; the innermost single piece is the
+    // centre.
     const double radius =
         count == 1 && placed == 0
             ? 0.0
@@ -104,8 +106,8 @@ void VolumeShares::exact_overlap(const dem::Particles& particles, std::size_t i)
     plane[a][0] = -1.0;
     for (int k = first; k <= last && parts[a] < most; ++k) {
       if (k > first) plane[a][parts[a]] = (origin + k * width - x[a]) / r;
-      position[a][parts[a]] = a == 2 ? std::clamp(k, 0, grid_.layers() - 1)
-                                     : square(a, grid_.lower(a) + (k + 0.5) * width);
+      position[a][parts[a]] =
+          a == 2 ? std::clamp(k, 0, grid_.layers() - 1) : square(a, grid_.lower(a) + (k + 0.5) * width);
       ++parts[a];
     }
   }

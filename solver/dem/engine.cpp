@@ -25,7 +25,12 @@ void store(VectorField& field, std::size_t i, Vec3 value) {
 }  // namespace
 
 Engine::Engine(const Contact& contact, std::vector<Wall> walls, std::array<double, 3> period, int threads)
-    : law_(contact), walls_(std::move(walls)), period_(period), time_step_(contact.time_step), threads_(threads) {}
+    : law_(contact),
+      walls_(std::move(walls)),
+      period_(period),
+      time_step_(contact.time_step),
+      steps_per_second_(1.0 / contact.time_step),
+      threads_(threads) {}
 
 std::size_t Engine::add_particle(const std::array<double, 3>& centre, double radius, double density, int species) {
   const auto contacts = contact_records();
@@ -45,6 +50,17 @@ void Engine::resize_particle_arrays() {
   overlap_.resize(n, 0.0);
   place_.resize(n);
   motion_.resize(n);
+  for (std::size_t i = mass_class_.size(); i < n; ++i) mass_class_.push_back(mass_class(particles.mass[i]));
+}
+
+std::int64_t Engine::mass_class(double mass) {
+  const auto found = std::find(masses_.begin(), masses_.end(), mass);
+  if (found != masses_.end()) return found - masses_.begin();
+  masses_.push_back(mass);
+  root_effective_mass_.clear();
+  for (const double a : masses_)
+    for (const double b : masses_) root_effective_mass_.push_back(std::sqrt(a * b / (a + b)));
+  return static_cast<std::int64_t>(masses_.size()) - 1;
 }
 
 void Engine::remove_particle(std::size_t i) {
@@ -61,6 +77,7 @@ void Engine::remove_particle(std::size_t i) {
   contacts_.erase(at(contacts_));
   contact_events_.erase(at(contact_events_));
   overlap_.erase(at(overlap_));
+  mass_class_.erase(at(mass_class_));
   place_.pop_back();
   motion_.pop_back();
   const auto walls = static_cast<std::ptrdiff_t>(walls_.size());
@@ -75,22 +92,18 @@ std::vector<ContactRecord> Engine::contact_records() const {
   const auto& start = list_.start();
   for (std::uint32_t i = 0; i + 1 < start.size(); ++i)
     for (std::uint32_t p = start[i]; p < start[i + 1]; ++p)
-      if (pair_state_[p] != 0) records.push_back({i, list_.second()[p], load(pair_spring_, p)});
+      if (pair_state_[p] != 0) records.push_back({i, list_.second()[p], pair_[p].spring});
   return records;
 }
 
 void Engine::rebuild(const std::vector<ContactRecord>& contacts) {
   // A wide skin makes long lists, a narrow one frequent rebuilding; the optimum is flat around a fifth of a radius.
   double smallest_radius = 0.0;
-  if (particles.size() > 0)
-    smallest_radius = *std::min_element(particles.radius.begin(), particles.radius.end());
+  if (particles.size() > 0) smallest_radius = *std::min_element(particles.radius.begin(), particles.radius.end());
   list_.build(particles, 0.3 * smallest_radius, period_, threads_);
   const std::size_t pairs = list_.pairs();
   pair_state_.assign(pairs, 0);
-  for (auto* field : {&pair_spring_, &pair_force_, &pair_torque_on_second_}) {
-    field->resize(pairs);
-    field->set_zero();
-  }
+  pair_.assign(pairs, {});
   for (const ContactRecord& contact : contacts) {
     const auto first = list_.second().begin() + list_.start()[contact.first];
     const auto last = list_.second().begin() + list_.start()[contact.first + 1];
@@ -98,7 +111,7 @@ void Engine::rebuild(const std::vector<ContactRecord>& contacts) {
     if (found == last || *found != contact.second) continue;
     const auto p = static_cast<std::size_t>(found - list_.second().begin());
     pair_state_[p] = 1;
-    store(pair_spring_, p, contact.spring);
+    pair_[p].spring = contact.spring;
   }
   list_valid_ = true;
   ++rebuilds_;
@@ -107,8 +120,7 @@ void Engine::rebuild(const std::vector<ContactRecord>& contacts) {
 void Engine::pack(std::size_t i) {
   const auto x = particles.position.at(i);
   place_[i] = {x[0], x[1], x[2], particles.radius[i]};
-  motion_[i] = {load(particles.velocity, i), load(particles.angular_velocity, i), particles.mass[i],
-                particles.inertia(i)};
+  motion_[i] = {load(particles.velocity, i), load(particles.angular_velocity, i), particles.inertia(i), mass_class_[i]};
 }
 
 template <bool Periodic>
@@ -116,30 +128,45 @@ void Engine::compute_pairs(std::size_t first, std::size_t last) {
   const std::uint32_t* start = list_.start().data();
   const std::uint32_t* second = list_.second().data();
   const bool rolling = law_.resists_rolling();
+  const auto classes = static_cast<std::int64_t>(masses_.size());
+  std::vector<std::uint32_t> touching(64);
   for (std::size_t i = first; i < last; ++i) {
     const Place here = place_[i];
     const Motion own = motion_[i];
-    Vec3 force, torque;
-    int contacts = 0, events = 0;
-    double largest_overlap = 0.0;
-    for (std::uint32_t p = start[i]; p < start[i + 1]; ++p) {
-      const std::uint32_t j = second[p];
-      const Place there = place_[j];
+    const auto separation = [&](std::uint32_t p) {
+      const Place& there = place_[second[p]];
       Vec3 d{there.x - here.x, there.y - here.y, there.z - here.z};
       if constexpr (Periodic) {
         if (period_[0] > 0.0) d.x -= period_[0] * std::nearbyint(d.x / period_[0]);
         if (period_[1] > 0.0) d.y -= period_[1] * std::nearbyint(d.y / period_[1]);
         if (period_[2] > 0.0) d.z -= period_[2] * std::nearbyint(d.z / period_[2]);
       }
-      const double distance_squared = dot(d, d);
-      const double sum = here.radius + there.radius;
-      if (distance_squared >= sum * sum) {
-        if (pair_state_[p] != 0) {
-          pair_state_[p] = 0;
-          store(pair_spring_, p, {});
-        }
-        continue;
+      return d;
+    };
+    // First sort out who touches, without a branch that the processor would have to guess; then compute those pairs.
+    const std::uint32_t begin = start[i], pairs = start[i + 1] - begin;
+    touching.resize(std::max<std::size_t>(touching.size(), pairs));
+    std::uint32_t contacts = 0;
+    for (std::uint32_t p = begin; p < begin + pairs; ++p) {
+      const Vec3 d = separation(p);
+      const double sum = here.radius + place_[second[p]].radius;
+      const bool touches = dot(d, d) < sum * sum;
+      touching[contacts] = p;
+      contacts += touches ? 1 : 0;
+      if (!touches && pair_state_[p] != 0) {
+        pair_state_[p] = 0;
+        pair_[p].spring = {};
       }
+    }
+    Vec3 force, torque;
+    int events = 0;
+    double largest_overlap = 0.0;
+    for (std::uint32_t c = 0; c < contacts; ++c) {
+      const std::uint32_t p = touching[c], j = second[p];
+      const Place there = place_[j];
+      const Vec3 d = separation(p);
+      const double sum = here.radius + there.radius;
+      const double distance_squared = dot(d, d);
       const double distance = std::sqrt(distance_squared);
       const Motion other = motion_[j];
       ContactState contact;
@@ -149,36 +176,38 @@ void Engine::compute_pairs(std::size_t first, std::size_t last) {
       const double arm_i = here.radius - 0.5 * contact.overlap, arm_j = there.radius - 0.5 * contact.overlap;
       contact.relative_velocity = own.velocity - other.velocity +
                                   cross(arm_i * own.angular_velocity + arm_j * other.angular_velocity, contact.normal);
-      contact.effective_mass = own.mass * other.mass / (own.mass + other.mass);
+      contact.root_effective_mass =
+          root_effective_mass_[static_cast<std::size_t>(own.mass_class * classes + other.mass_class)];
 
-      Vec3 spring = load(pair_spring_, p);
-      const ContactForce result = law_(contact, time_step_, spring);
-      store(pair_spring_, p, spring);
-      store(pair_force_, p, result.force);
+      PairContact& pair = pair_[p];
+      const ContactForce result = law_(contact, time_step_, pair.spring);
+      pair.force = result.force;
       const Vec3 lever = cross(contact.normal, result.tangential);
       Vec3 torque_on_second = arm_j * lever;
       torque = torque + arm_i * lever;
       if (rolling) {
         // Relative angular velocity of Eq. 19.
-        const Vec3 rotation = (1.0 / sum) * (here.radius * own.angular_velocity - there.radius * other.angular_velocity);
+        const Vec3 rotation =
+            (1.0 / sum) * (here.radius * own.angular_velocity - there.radius * other.angular_velocity);
         const double speed = norm(rotation);
         if (speed > 0.0) {
           const Vec3 direction = (1.0 / speed) * rotation;
-          torque = torque - law_.rolling_torque(result.normal, here.radius, own.inertia, speed, time_step_) * direction;
-          torque_on_second = torque_on_second + law_.rolling_torque(result.normal, there.radius, other.inertia, speed,
-                                                                    time_step_) * direction;
+          torque = torque -
+                   law_.rolling_torque(result.normal, here.radius, own.inertia, speed, steps_per_second_) * direction;
+          torque_on_second =
+              torque_on_second +
+              law_.rolling_torque(result.normal, there.radius, other.inertia, speed, steps_per_second_) * direction;
         }
       }
-      store(pair_torque_on_second_, p, torque_on_second);
+      pair.torque_on_second = torque_on_second;
       force = force + result.force;
-      ++contacts;
       pair_state_[p] = pair_state_[p] == 0 ? 2 : 1;
       if (pair_state_[p] == 2) ++events;
       largest_overlap = std::max(largest_overlap, contact.overlap / std::min(here.radius, there.radius));
     }
     store(contact_force_, i, force);
     store(torque_, i, torque);
-    contacts_[i] = contacts;
+    contacts_[i] = static_cast<int>(contacts);
     contact_events_[i] += events;
     overlap_[i] = largest_overlap;
   }
@@ -203,14 +232,14 @@ void Engine::compute_walls(std::size_t first, std::size_t last) {
       const double arm = gap.distance;
       const Vec3 spin = load(particles.angular_velocity, i);
       contact.relative_velocity = load(particles.velocity, i) + cross(arm * spin, contact.normal);
-      contact.effective_mass = particles.mass[i];
+      contact.root_effective_mass = std::sqrt(particles.mass[i]);
       const ContactForce result = law_(contact, time_step_, wall_spring_[i * walls + w]);
       force = force + result.force;
       torque = torque + arm * cross(contact.normal, result.tangential);
       const double speed = norm(spin);
       if (law_.resists_rolling() && speed > 0.0)
         torque = torque -
-                 (law_.rolling_torque(result.normal, r, particles.inertia(i), speed, time_step_) / speed) * spin;
+                 (law_.rolling_torque(result.normal, r, particles.inertia(i), speed, steps_per_second_) / speed) * spin;
       overlap_[i] = std::max(overlap_[i], contact.overlap / r);
     }
     store(wall_force_, i, force);
@@ -227,8 +256,8 @@ void Engine::gather_and_move(std::size_t first, std::size_t last, double& displa
     for (std::uint32_t r = reverse_start[i]; r < reverse_start[i + 1]; ++r) {
       const std::uint32_t p = reverse[r];
       if (pair_state_[p] == 0) continue;
-      force = force - load(pair_force_, p);
-      torque = torque + load(pair_torque_on_second_, p);
+      force = force - pair_[p].force;
+      torque = torque + pair_[p].torque_on_second;
       ++contacts_[i];
       if (pair_state_[p] == 2) ++contact_events_[i];
     }
@@ -352,6 +381,7 @@ Engine::Memory Engine::memory() const {
 
 void Engine::restore(Particles state, const Memory& memory) {
   particles = std::move(state);
+  mass_class_.clear();
   resize_particle_arrays();
   for (std::size_t s = 0; s < wall_spring_.size(); ++s)
     wall_spring_[s] = {memory.wall_springs[3 * s], memory.wall_springs[3 * s + 1], memory.wall_springs[3 * s + 2]};

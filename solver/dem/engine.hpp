@@ -87,23 +87,33 @@ class Engine {
   LinearSpringDashpot law_;
   std::vector<Wall> walls_;
   std::array<double, 3> period_;
-  double time_step_;
+  double time_step_, steps_per_second_;
   int threads_;
 
   NeighbourList list_;
   bool list_valid_ = false;
   // One entry per pair of the list.
   std::vector<std::uint8_t> pair_state_;  ///< 0 apart, 1 in contact, 2 in contact since this step
-  VectorField pair_spring_, pair_force_, pair_torque_on_second_;
+  struct PairContact {
+    Vec3 spring;            ///< tangential displacement ξ [m]
+    Vec3 force;             ///< on the first sphere [N]
+    Vec3 torque_on_second;  ///< [N m]
+  };
+  std::vector<PairContact> pair_;  ///< kept together: a contact touches two cache lines, not nine
   // What a pair needs of its second sphere, packed so that a random access touches one cache line each.
   struct alignas(32) Place {
     double x, y, z, radius;
   };
   struct alignas(64) Motion {
     Vec3 velocity, angular_velocity;
-    double mass, inertia;
+    double inertia;
+    std::int64_t mass_class;  ///< index into masses_
   };
   void pack(std::size_t i);
+  std::int64_t mass_class(double mass);
+  std::vector<double> masses_;               ///< the distinct masses
+  std::vector<double> root_effective_mass_;  ///< √(m_i m_j/(m_i + m_j)) for each pair of classes
+  std::vector<std::int64_t> mass_class_;     ///< per sphere
   std::vector<Place> place_;
   std::vector<Motion> motion_;
   // One entry per sphere.

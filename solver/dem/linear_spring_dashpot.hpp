@@ -11,16 +11,16 @@ namespace slfb::dem {
 
 /// Geometry and motion of a touching pair, seen from body i; a wall is a body j at rest.
 struct ContactState {
-  Vec3 normal;             ///< unit vector from i to j
-  double overlap;          ///< > 0 [m]
-  Vec3 relative_velocity;  ///< v_i − v_j at the contact point, spin included [m/s]
-  double effective_mass;   ///< m_i m_j / (m_i + m_j), or m_i at a wall [kg]
+  Vec3 normal;                 ///< unit vector from i to j
+  double overlap;              ///< > 0 [m]
+  Vec3 relative_velocity;      ///< v_i − v_j at the contact point, spin included [m/s]
+  double root_effective_mass;  ///< √(m_i m_j / (m_i + m_j)), or √m_i at a wall [kg^½]
 };
 
 struct ContactForce {
-  Vec3 force;          ///< on i [N]
-  Vec3 tangential;     ///< its tangential part, which makes the torque [N]
-  double normal;       ///< magnitude of the normal part, compressive positive [N]
+  Vec3 force;       ///< on i [N]
+  Vec3 tangential;  ///< its tangential part, which makes the torque [N]
+  double normal;    ///< magnitude of the normal part, compressive positive [N]
 };
 
 /// Linear spring-dashpot contact with Coulomb friction and tangential history (Tsuji et al. 1993; Peng 2014, §3.1).
@@ -54,7 +54,7 @@ class LinearSpringDashpot {
 
   /// Force on i; `spring` is the tangential displacement ξ, carried from step to step.
   ContactForce operator()(const ContactState& contact, double time_step, Vec3& spring) const {
-    const double damping = damping_factor_ * std::sqrt(contact.effective_mass);
+    const double damping = damping_factor_ * contact.root_effective_mass;
     const double approach = dot(contact.relative_velocity, contact.normal);
     const double normal_force = stiffness_ * contact.overlap + damping * approach;
 
@@ -84,8 +84,8 @@ class LinearSpringDashpot {
   /// Held below what would stop a sphere of inertia `inertia` turning at `speed` within the step: a torque of constant
   /// size has no other way to come to rest.
   [[nodiscard]] double rolling_torque(double normal_force, double radius, double inertia, double speed,
-                                      double time_step) const {
-    return std::min(rolling_friction_ * radius * std::abs(normal_force), inertia * speed / time_step);
+                                      double steps_per_second) const {
+    return std::min(rolling_friction_ * radius * std::abs(normal_force), inertia * speed * steps_per_second);
   }
   [[nodiscard]] bool resists_rolling() const { return rolling_friction_ > 0.0; }
 

@@ -51,6 +51,16 @@ void NeighbourList::build(const Particles& particles, double skin, const std::ar
   std::vector<std::uint32_t> next(cell_start_.begin(), cell_start_.end() - 1);
   for (std::size_t i = 0; i < n; ++i) cell_member_[next[cell_of_[i]]++] = static_cast<std::uint32_t>(i);
 
+  // Copied in the order of the cells: the search then runs over contiguous memory, a row of three cells at a time.
+  struct Entry {
+    double x, y, z, radius;
+  };
+  std::vector<Entry> entry(n);
+  for (std::size_t m = 0; m < n; ++m) {
+    const std::uint32_t j = cell_member_[m];
+    entry[m] = {origin_.x[j], origin_.y[j], origin_.z[j], particles.radius[j]};
+  }
+
   std::vector<std::vector<std::uint32_t>> found(static_cast<std::size_t>(threads));
 #pragma omp parallel for num_threads(threads) schedule(static, 1)
   for (int t = 0; t < threads; ++t) {
@@ -60,6 +70,18 @@ void NeighbourList::build(const Particles& particles, double skin, const std::ar
     for (std::size_t i = first; i < last; ++i) {
       const std::size_t begin = list.size();
       const std::array<double, 3> xi = origin_.at(i);
+      const double own_reach = particles.radius[i] + skin;
+      const auto search = [&](std::uint32_t from, std::uint32_t to) {
+        for (std::uint32_t m = from; m < to; ++m) {
+          const Entry& other = entry[m];
+          double dx = other.x - xi[0], dy = other.y - xi[1], dz = other.z - xi[2];
+          if (period[0] > 0.0) dx -= period[0] * std::nearbyint(dx / period[0]);
+          if (period[1] > 0.0) dy -= period[1] * std::nearbyint(dy / period[1]);
+          if (period[2] > 0.0) dz -= period[2] * std::nearbyint(dz / period[2]);
+          const double limit = own_reach + other.radius;
+          if (dx * dx + dy * dy + dz * dz < limit * limit && cell_member_[m] > i) list.push_back(cell_member_[m]);
+        }
+      };
       std::array<std::array<int, 3>, 3> around{};
       std::array<int, 3> count{};
       for (std::size_t a = 0; a < 3; ++a) {
@@ -72,24 +94,18 @@ void NeighbourList::build(const Particles& particles, double skin, const std::ar
         }
       }
       for (int kz = 0; kz < count[2]; ++kz)
-        for (int ky = 0; ky < count[1]; ++ky)
-          for (int kx = 0; kx < count[0]; ++kx) {
-            const std::uint32_t cell =
-                cell_index(around[0][static_cast<std::size_t>(kx)], around[1][static_cast<std::size_t>(ky)],
-                           around[2][static_cast<std::size_t>(kz)]);
-            for (std::uint32_t m = cell_start_[cell]; m < cell_start_[cell + 1]; ++m) {
-              const std::uint32_t j = cell_member_[m];
-              if (j <= i) continue;
-              double distance_squared = 0.0;
-              for (std::size_t a = 0; a < 3; ++a) {
-                double d = (*coordinate[a])[j] - xi[a];
-                if (period[a] > 0.0) d -= period[a] * std::nearbyint(d / period[a]);
-                distance_squared += d * d;
-              }
-              const double limit = particles.radius[i] + particles.radius[j] + skin;
-              if (distance_squared < limit * limit) list.push_back(j);
-            }
+        for (int ky = 0; ky < count[1]; ++ky) {
+          const int cy = around[1][static_cast<std::size_t>(ky)], cz = around[2][static_cast<std::size_t>(kz)];
+          if (period[0] == 0.0) {
+            search(cell_start_[cell_index(around[0][0], cy, cz)],
+                   cell_start_[cell_index(around[0][static_cast<std::size_t>(count[0] - 1)], cy, cz) + 1]);
+            continue;
           }
+          for (int kx = 0; kx < count[0]; ++kx) {
+            const std::uint32_t cell = cell_index(around[0][static_cast<std::size_t>(kx)], cy, cz);
+            search(cell_start_[cell], cell_start_[cell + 1]);
+          }
+        }
       std::sort(list.begin() + static_cast<std::ptrdiff_t>(begin), list.end());
       start_[i + 1] = static_cast<std::uint32_t>(list.size() - begin);
     }

@@ -46,8 +46,9 @@ std::vector<PlacedSphere> loose_packing(const Scene& scene) {
   for (int layer = 0; spheres.size() < order.size(); ++layer) {
     const double z = margin + layer * spacing;
     if (z + margin > geometry.height)
-      throw SceneError(fmt::format("species.count: {} spheres do not fit loosely into the column of height {} m ({} did)",
-                                   order.size(), geometry.height, spheres.size()));
+      throw SceneError(
+          fmt::format("species.count: {} spheres do not fit loosely into the column of height {} m ({} did)",
+                      order.size(), geometry.height, spheres.size()));
     for (int iy = 0; iy < sites_y; ++iy)
       for (int ix = 0; ix < sites_x && spheres.size() < order.size(); ++ix) {
         const double x = (ix - 0.5 * (sites_x - 1)) * spacing, y = (iy - 0.5 * (sites_y - 1)) * spacing;

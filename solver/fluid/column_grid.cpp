@@ -91,7 +91,9 @@ ColumnGrid::ColumnGrid(const Scene& scene) {
     int master = -1;  ///< index of the square this one is joined to, or itself
   };
   std::vector<Square> square(nx * ny);
-  const auto edge = [&](std::size_t axis, std::size_t i) { return lower_[axis] + static_cast<double>(i) * spacing_[axis]; };
+  const auto edge = [&](std::size_t axis, std::size_t i) {
+    return lower_[axis] + static_cast<double>(i) * spacing_[axis];
+  };
   const double full = spacing_[0] * spacing_[1];
   const bool cut = cylinder_ && squares_[0] > 1;
   for (std::size_t iy = 0; iy < ny; ++iy)
@@ -161,7 +163,8 @@ ColumnGrid::ColumnGrid(const Scene& scene) {
     double nearest = 1e300;
     for (std::size_t m = 0; m < square.size(); ++m) {
       if (square[m].master != static_cast<int>(m) || square[m].area < smallest_share * full) continue;
-      const double d = std::hypot(square[m].centroid_x - square[q].centroid_x, square[m].centroid_y - square[q].centroid_y);
+      const double d =
+          std::hypot(square[m].centroid_x - square[q].centroid_x, square[m].centroid_y - square[q].centroid_y);
       if (d < nearest) {
         nearest = d;
         square[q].master = static_cast<int>(m);

@@ -19,9 +19,9 @@ class ColumnGrid {
 
   /// A vertical face between two cells of the section.
   struct Face {
-    int first, second;   ///< cells on the lower and the upper side along the axis
-    double length;       ///< wetted length of the face in the section [m]
-    double distance;     ///< between the centroids along the axis [m]
+    int first, second;  ///< cells on the lower and the upper side along the axis
+    double length;      ///< wetted length of the face in the section [m]
+    double distance;    ///< between the centroids along the axis [m]
   };
 
   [[nodiscard]] int cells() const { return static_cast<int>(area_.size()); }

@@ -218,7 +218,8 @@ void LiquidSolver::link_fluxes(std::size_t a, const std::array<std::vector<doubl
       c.flux[cross][n] = !linked ? 0.0
                                  : share[0] * flow[cross][index(face_first, k, layers)] +
                                        share[1] * flow[cross][index(face_second, k, layers)];
-      c.flux[2][n] = share[0] * flow[2][index(owner[0], k, layers + 1)] + share[1] * flow[2][index(owner[1], k, layers + 1)];
+      c.flux[2][n] =
+          share[0] * flow[2][index(owner[0], k, layers + 1)] + share[1] * flow[2][index(owner[1], k, layers + 1)];
     }
   }
 }
@@ -324,8 +325,10 @@ void LiquidSolver::predict(std::size_t a, double time_step, const Exchange& exch
         for (int k = first_level; k < levels; ++k) {
           const std::size_t l = as_index(k);
           const double conductance = lateral * c.level_height[l];
-          next_s[l] += (density_ * std::max(-flux[l], 0.0) + conductance * c.liquid_now[at_s + l] / c.volume[at_s + l]) * u_t[l];
-          next_t[l] += (density_ * std::max(flux[l], 0.0) + conductance * c.liquid_now[at_t + l] / c.volume[at_t + l]) * u_s[l];
+          next_s[l] +=
+              (density_ * std::max(-flux[l], 0.0) + conductance * c.liquid_now[at_s + l] / c.volume[at_s + l]) * u_t[l];
+          next_t[l] +=
+              (density_ * std::max(flux[l], 0.0) + conductance * c.liquid_now[at_t + l] / c.volume[at_t + l]) * u_s[l];
         }
       }
       const double area = a == vertical ? grid_.area(s) : c.volume[index(s, 0, levels)] / height;
@@ -346,15 +349,17 @@ void LiquidSolver::predict(std::size_t a, double time_step, const Exchange& exch
         largest = std::max(largest, std::abs(value));
         c.velocity[n] = value;
       }
-    if (!std::isfinite(largest)) throw FluidError(fmt::format("liquid momentum ({}): a velocity is not finite", "xyz"[a]));
+    if (!std::isfinite(largest))
+      throw FluidError(fmt::format("liquid momentum ({}): a velocity is not finite", "xyz"[a]));
     if (change <= 1e-10 * (largest + 1e-6)) {
       if (a == vertical)
         for (int s = 0; s < c.sections; ++s) c.velocity[index(s, 0, levels)] = inlet_value(s);
       return;
     }
   }
-  throw FluidError(fmt::format("liquid momentum ({}): {} sweeps leave a change of {:.3g} m/s; a smaller fluid.time_step may help",
-                               "xyz"[a], most_sweeps, change));
+  throw FluidError(
+      fmt::format("liquid momentum ({}): {} sweeps leave a change of {:.3g} m/s; a smaller fluid.time_step may help",
+                  "xyz"[a], most_sweeps, change));
 }
 
 /// ∇·(μ ∇u) on the nodes with the present velocity [N/m³].
@@ -496,8 +501,9 @@ double LiquidSolver::correct_pressure(double time_step, const std::vector<double
   const Eigen::VectorXd correction = solver_.solve(imbalance);
   pressure_iterations_ += solver_.iterations();
   if (solver_.info() != Eigen::Success)
-    throw FluidError(fmt::format("pressure equation: {} iterations leave a relative residual of {:.3g} (tolerance {:.3g})",
-                                 solver_.iterations(), solver_.error(), pressure_tolerance_));
+    throw FluidError(
+        fmt::format("pressure equation: {} iterations leave a relative residual of {:.3g} (tolerance {:.3g})",
+                    solver_.iterations(), solver_.error(), pressure_tolerance_));
   for (std::size_t i = 0; i < grid_.size(); ++i) pressure_[i] += correction[static_cast<Eigen::Index>(i)];
   std::array<std::vector<double>, 3> old_gradient;
   for (std::size_t a = 0; a < 3; ++a) old_gradient[a] = component_[a].pressure_gradient;
@@ -517,9 +523,10 @@ void LiquidSolver::advance(double time_step, const std::vector<double>& before, 
   static_cast<void>(most);
   if (!(*least > 0.0)) {
     const auto cell = static_cast<std::size_t>(least - now.begin());
-    throw FluidError(fmt::format(
-        "void fraction: layer {} of section cell {} holds no liquid; larger cells (fluid.cells_across, fluid.cell_height) are needed",
-        cell % as_index(grid_.layers()), cell / as_index(grid_.layers())));
+    throw FluidError(
+        fmt::format("void fraction: layer {} of section cell {} holds no liquid; larger cells (fluid.cells_across, "
+                    "fluid.cell_height) are needed",
+                    cell % as_index(grid_.layers()), cell / as_index(grid_.layers())));
   }
   for (std::size_t a = 0; a < 3; ++a) {
     Component& c = component_[a];
@@ -559,8 +566,13 @@ double LiquidSolver::inlet_pressure() const {
 }
 
 std::array<std::vector<double>, 7> LiquidSolver::state() const {
-  return {component_[0].velocity, component_[1].velocity, component_[2].velocity, component_[0].viscous,
-          component_[1].viscous,  component_[2].viscous,  pressure_};
+  return {component_[0].velocity,
+          component_[1].velocity,
+          component_[2].velocity,
+          component_[0].viscous,
+          component_[1].viscous,
+          component_[2].viscous,
+          pressure_};
 }
 
 void LiquidSolver::restore(const std::array<std::vector<double>, 7>& state) {

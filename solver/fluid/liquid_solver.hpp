@@ -50,7 +50,9 @@ class LiquidSolver {
   [[nodiscard]] std::size_t nodes(std::size_t component) const { return component_[component].velocity.size(); }
 
   /// Interstitial liquid velocity on the nodes of a component [m/s].
-  [[nodiscard]] const std::vector<double>& velocity(std::size_t component) const { return component_[component].velocity; }
+  [[nodiscard]] const std::vector<double>& velocity(std::size_t component) const {
+    return component_[component].velocity;
+  }
   /// Dynamic pressure per cell [Pa].
   [[nodiscard]] const std::vector<double>& pressure() const { return pressure_; }
   /// ∂p/∂x_a of the dynamic pressure on the nodes [Pa/m].
@@ -84,10 +86,11 @@ class LiquidSolver {
     std::vector<std::array<double, 2>> share;   ///< of each owner's volume that belongs to the node (x, y)
     std::vector<double> wall;                   ///< wall length over wall distance, per section node [-]
     std::array<std::vector<double>, 2> lateral_conductance;  ///< of the links towards +x and +y, per height [-]
-    std::vector<double> level_height;           ///< height of a node's volume by level [m]
-    std::vector<double> volume, liquid_before, liquid_now;  ///< [m³]
+    std::vector<double> level_height;                        ///< height of a node's volume by level [m]
+    std::vector<double> volume, liquid_before, liquid_now;   ///< [m³]
     std::vector<double> velocity, previous, pressure_gradient, viscous;
-    std::array<std::vector<double>, 3> flux;    ///< liquid volume flow through the links towards +x, +y and from below [m³/s]
+    std::array<std::vector<double>, 3>
+        flux;  ///< liquid volume flow through the links towards +x, +y and from below [m³/s]
     std::vector<double> diagonal, right_hand_side, next, mobility;
   };
 

@@ -66,8 +66,8 @@ class SectionMeanPreconditioner {
   [[nodiscard]] Eigen::ComputationInfo info() const { return Eigen::Success; }
 
  private:
-  /// Symmetric tridiagonal matrix: L D Lᵀ in place, D⁻¹ in `pivot` and the multipliers in `above`. Lines that do not touch
-  /// follow each other with a zero between them.
+  /// Symmetric tridiagonal matrix: L D Lᵀ in place, D⁻¹ in `pivot` and the multipliers in `above`. Lines that do not
+  /// touch follow each other with a zero between them.
   struct Tridiagonal {
     std::vector<double> pivot, above;
     void reset(std::size_t n) {

@@ -20,77 +20,77 @@ enum class StageKind { settle, fluidise, drop };
 
 struct Geometry {
   Shape shape = Shape::cylinder;
-  double diameter = 0.0;               ///< cylinder: inner diameter [m]
-  std::array<double, 2> width{0, 0};   ///< box: extent in x and y [m]
-  double height = 0.0;                 ///< [m]; z = 0 is the distributor, gravity acts along -z
+  double diameter = 0.0;              ///< cylinder: inner diameter [m]
+  std::array<double, 2> width{0, 0};  ///< box: extent in x and y [m]
+  double height = 0.0;                ///< [m]; z = 0 is the distributor, gravity acts along -z
 };
 
 struct Liquid {
-  double density = 0.0;                ///< [kg/m³]
-  double viscosity = 0.0;              ///< [Pa s]
-  double superficial_velocity = 0.0;   ///< U_L at the inlet, upwards [m/s]
+  double density = 0.0;               ///< [kg/m³]
+  double viscosity = 0.0;             ///< [Pa s]
+  double superficial_velocity = 0.0;  ///< U_L at the inlet, upwards [m/s]
 };
 
 struct FluidNumerics {
   FluidTier tier = FluidTier::three_dimensional;
   LateralBoundary wall = LateralBoundary::no_slip;
-  int cells_across = 8;                ///< cells over the diameter (or over width[0])
-  double cell_height = 0.0;            ///< [m]; the column height is divided evenly into cells of about this height
+  int cells_across = 8;      ///< cells over the diameter (or over width[0])
+  double cell_height = 0.0;  ///< [m]; the column height is divided evenly into cells of about this height
   ConvectionScheme convection = ConvectionScheme::quick;
   PressureVelocity pressure_velocity = PressureVelocity::projection;
-  double time_step = 0.0;              ///< [s]
-  double pressure_tolerance = 1e-6;    ///< relative residual of the pressure equation [-]
-  double simple_tolerance = 1e-5;      ///< scaled residual that ends the SIMPLE iterations [-]
+  double time_step = 0.0;            ///< [s]
+  double pressure_tolerance = 1e-6;  ///< relative residual of the pressure equation [-]
+  double simple_tolerance = 1e-5;    ///< scaled residual that ends the SIMPLE iterations [-]
 };
 
 struct Species {
   std::string name;
-  double diameter = 0.0;               ///< [m]
-  double density = 0.0;                ///< [kg/m³]
-  std::int64_t count = 0;              ///< bed particles at the start; 0 for a species that is only dropped
+  double diameter = 0.0;   ///< [m]
+  double density = 0.0;    ///< [kg/m³]
+  std::int64_t count = 0;  ///< bed particles at the start; 0 for a species that is only dropped
 };
 
 /// Linear spring-dashpot contact, the same for all pairs and walls (Peng 2014, Table 1).
 struct Contact {
-  double stiffness = 0.0;                   ///< k_n [N/m]
-  double restitution = 0.9;                 ///< e [-]
-  double sliding_friction = 0.3;            ///< μ [-]
-  double rolling_friction = 0.0;            ///< μ_rol of the directional torque, Eq. 18 [-]
+  double stiffness = 0.0;                         ///< k_n [N/m]
+  double restitution = 0.9;                       ///< e [-]
+  double sliding_friction = 0.3;                  ///< μ [-]
+  double rolling_friction = 0.0;                  ///< μ_rol of the directional torque, Eq. 18 [-]
   double tangential_stiffness_ratio = 2.0 / 7.0;  ///< k_t / k_n [-]; the paper does not say
-  double tangential_damping_ratio = 0.5;    ///< tangential over normal damping coefficient [-]; the paper does not say
-  double time_step = 0.0;                   ///< [s]
-  bool allow_large_time_step = false;       ///< accept a step above 1/ω_0 of the stiffest pair
+  double tangential_damping_ratio = 0.5;  ///< tangential over normal damping coefficient [-]; the paper does not say
+  double time_step = 0.0;                 ///< [s]
+  bool allow_large_time_step = false;     ///< accept a step above 1/ω_0 of the stiffest pair
 };
 
 struct Coupling {
   std::string drag_law = "gidaspow-1994";
   VoidFractionScheme void_fraction = VoidFractionScheme::exact_overlap;
-  int meshing_pieces = 1214;           ///< particle meshing: pieces per sphere
+  int meshing_pieces = 1214;  ///< particle meshing: pieces per sphere
 };
 
 struct Outlet {
-  OutletRule rule = OutletRule::lid;   ///< lid: particles stay below z = height; remove: counted and taken out
+  OutletRule rule = OutletRule::lid;  ///< lid: particles stay below z = height; remove: counted and taken out
 };
 
 struct Stage {
   StageKind kind = StageKind::settle;
-  double duration = 0.0;               ///< [s]; for a drop: the longest wait for one sphere to arrive
+  double duration = 0.0;  ///< [s]; for a drop: the longest wait for one sphere to arrive
   // drop only
-  std::string species;                 ///< the species released
-  int repetitions = 1;                 ///< spheres released one after the other
-  double release_height = 0.0;         ///< centre of the sphere at release [m]
-  double relaxation = 0.0;             ///< time between taking out one sphere and releasing the next [s]
+  std::string species;          ///< the species released
+  int repetitions = 1;          ///< spheres released one after the other
+  double release_height = 0.0;  ///< centre of the sphere at release [m]
+  double relaxation = 0.0;      ///< time between taking out one sphere and releasing the next [s]
 };
 
 struct Recording {
-  double bed_interval = 0.01;          ///< between samples of the bed [s]
-  double drop_interval = 0.001;        ///< between samples of the dropped sphere [s] (1000 Hz in the paper)
-  double snapshot_interval = 0.0;      ///< between VTKHDF snapshots [s]; 0: none
-  double checkpoint_interval = 60.0;   ///< wall-clock time between checkpoints [s]
+  double bed_interval = 0.01;         ///< between samples of the bed [s]
+  double drop_interval = 0.001;       ///< between samples of the dropped sphere [s] (1000 Hz in the paper)
+  double snapshot_interval = 0.0;     ///< between VTKHDF snapshots [s]; 0: none
+  double checkpoint_interval = 60.0;  ///< wall-clock time between checkpoints [s]
 };
 
 struct Scene {
-  std::string title;                   ///< not part of the hash
+  std::string title;  ///< not part of the hash
   Geometry geometry;
   Liquid liquid;
   FluidNumerics fluid;

@@ -164,7 +164,9 @@ TEST(Gnuplot, AFailingScriptThrowsWithItsMessage) {
 
 TEST(Gnuplot, AnAbsentGnuplotThrowsAndSaysWhatToInstall) {
   const Folder folder;
-  const std::string path = getenv("PATH");
+  const char* search_path = getenv("PATH");
+  ASSERT_NE(search_path, nullptr);
+  const std::string path = search_path;
   setenv("PATH", folder.path().c_str(), 1);
   std::string message;
   try {

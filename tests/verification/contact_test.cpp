@@ -17,7 +17,8 @@ Contact glass(double restitution, int steps_per_contact, double friction = 0.0) 
   contact.restitution = restitution;
   contact.sliding_friction = friction;
   const double effective_mass = 0.5 * density * Particles::volume_of(radius);
-  contact.time_step = LinearSpringDashpot::contact_time(contact.stiffness, restitution, effective_mass) / steps_per_contact;
+  contact.time_step =
+      LinearSpringDashpot::contact_time(contact.stiffness, restitution, effective_mass) / steps_per_contact;
   return contact;
 }
 
@@ -25,8 +26,8 @@ Engine two_spheres(const Contact& contact, const Vec3& direction, double speed) 
   Engine engine(contact, {}, {0, 0, 0}, 1);
   const double gap = 1.0001 * radius;
   for (double side : {-1.0, 1.0}) {
-    const std::size_t i = engine.add_particle({side * gap * direction.x, side * gap * direction.y, side * gap * direction.z},
-                                              radius, density, 0);
+    const std::size_t i = engine.add_particle(
+        {side * gap * direction.x, side * gap * direction.y, side * gap * direction.z}, radius, density, 0);
     engine.particles.velocity.x[i] = -side * 0.5 * speed * direction.x;
     engine.particles.velocity.y[i] = -side * 0.5 * speed * direction.y;
     engine.particles.velocity.z[i] = -side * 0.5 * speed * direction.z;
@@ -41,7 +42,8 @@ double approach_speed(const Engine& engine, const Vec3& direction) {
 
 // Restitution out equals restitution in, along each axis and obliquely; the error falls with the step.
 TEST(LinearContact, ReturnsItsRestitution) {
-  for (const Vec3 direction : {Vec3{1, 0, 0}, Vec3{0, 1, 0}, Vec3{0, 0, 1}, Vec3{0.6, 0.0, 0.8}, Vec3{2.0 / 3, -1.0 / 3, 2.0 / 3}})
+  for (const Vec3 direction :
+       {Vec3{1, 0, 0}, Vec3{0, 1, 0}, Vec3{0, 0, 1}, Vec3{0.6, 0.0, 0.8}, Vec3{2.0 / 3, -1.0 / 3, 2.0 / 3}})
     for (double restitution : {0.5, 0.7, 0.9, 1.0}) {
       double error[2];
       for (int level : {0, 1}) {
@@ -96,7 +98,11 @@ TEST(LinearContact, ConservesLinearAndAngularMomentum) {
       const Vec3 w{p.angular_velocity.x[i], p.angular_velocity.y[i], p.angular_velocity.z[i]};
       const Vec3 orbital = cross(x, v);
       const double m = p.mass[i], inertia = p.inertia(i);
-      const double terms[6] = {m * v.x, m * v.y, m * v.z, m * orbital.x + inertia * w.x, m * orbital.y + inertia * w.y,
+      const double terms[6] = {m * v.x,
+                               m * v.y,
+                               m * v.z,
+                               m * orbital.x + inertia * w.x,
+                               m * orbital.y + inertia * w.y,
                                m * orbital.z + inertia * w.z};
       for (std::size_t k = 0; k < 6; ++k) sum[k] += terms[k];
     }
@@ -192,8 +198,7 @@ TEST(Engine, StopsWhenASphereLeavesThroughAWall) {
   Engine engine(contact, {{Wall::Kind::plane, 2, 1.0, 0.0}}, {0, 0, 0}, 1);
   engine.add_particle({0, 0, 1.01 * radius}, radius, density, 0);
   engine.particles.velocity.z[0] = -500.0;
-  EXPECT_THROW(
-      for (int k = 0; k < 100; ++k) engine.step(), EngineError);
+  EXPECT_THROW(for (int k = 0; k < 100; ++k) engine.step(), EngineError);
 }
 
 TEST(Engine, StopsAtANumberThatIsNotFinite) {

@@ -1,4 +1,6 @@
 // Void fraction: exact overlap against independent integration, conservation of the solid volume in every scheme.
+#include "solver/coupling/void_fraction.hpp"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -7,7 +9,6 @@
 #include <random>
 
 #include "solver/coupling/sphere_overlap.hpp"
-#include "solver/coupling/void_fraction.hpp"
 
 namespace slfb::coupling {
 namespace {
@@ -88,7 +89,8 @@ TEST(VoidFraction, EverySchemeKeepsTheSolidVolume) {
   const double total = std::accumulate(volumes.begin(), volumes.end(), 0.0);
   for (int cells : {3, 7, 8, 20}) {
     const fluid::ColumnGrid grid(column(cells));
-    for (auto scheme : {VoidFractionScheme::centroid, VoidFractionScheme::particle_meshing, VoidFractionScheme::exact_overlap}) {
+    for (auto scheme :
+         {VoidFractionScheme::centroid, VoidFractionScheme::particle_meshing, VoidFractionScheme::exact_overlap}) {
       VolumeShares shares(scheme, 1214, grid, 0.003);
       shares.update(particles, 1);
       std::vector<double> solid;
@@ -134,7 +136,9 @@ TEST(MeshingTemplate, HasTheBallsCentreAndSecondMoment) {
         second += c[a] * c[a] / pieces;
       }
     for (double m : mean) EXPECT_NEAR(m, 0.0, pieces > 1000 ? 0.02 : 0.3);
-    if (pieces > 1000) EXPECT_NEAR(second, 0.6, 0.005);  // ⟨r²⟩ of a ball is 3/5
+    if (pieces > 1000) {
+      EXPECT_NEAR(second, 0.6, 0.005);  // ⟨r²⟩ of a ball is 3/5
+    }
   }
 }
 
