@@ -29,7 +29,8 @@ using Clock = std::chrono::steady_clock;
 
 double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
 
-double process_cpu_seconds() {
+/// CPU time of the calling thread, which leads the run; other runs of the process do not count [s].
+double thread_cpu_seconds() {
   rusage usage{};
   getrusage(RUSAGE_THREAD, &usage);
   const auto seconds = [](const timeval& t) {
@@ -96,7 +97,7 @@ class Simulation {
   std::int64_t fluidised_steps_ = 0, substeps_ = 1;
   std::int64_t foreign_ = -1;  ///< index of the dropped sphere, -1 if none
   Clock::time_point started_ = Clock::now(), last_checkpoint_ = Clock::now(), last_report_ = Clock::now();
-  double wall_before_ = 0.0, cpu_before_ = 0.0, cpu_started_ = process_cpu_seconds();
+  double wall_before_ = 0.0, cpu_before_ = 0.0, cpu_started_ = thread_cpu_seconds();
   std::int64_t steps_at_start_ = 0;
 };
 
@@ -477,7 +478,7 @@ RunOutcome Simulation::run() {
   start();
   const auto update_cost = [&] {
     result_.wall_seconds = wall_before_ + seconds_since(started_);
-    result_.cpu_seconds = cpu_before_ + process_cpu_seconds() - cpu_started_;
+    result_.cpu_seconds = cpu_before_ + (thread_cpu_seconds() - cpu_started_) * options_.threads;
     result_.date = fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::time(nullptr)));
   };
   const auto save_all = [&] {

@@ -97,10 +97,10 @@ std::vector<ContactRecord> Engine::contact_records() const {
 }
 
 void Engine::rebuild(const std::vector<ContactRecord>& contacts) {
-  // A wide skin makes long lists, a narrow one frequent rebuilding; the optimum is flat around a fifth of a radius.
+  // A wide skin makes long lists, a narrow one frequent rebuilding; the optimum is flat between a third and half a radius.
   double smallest_radius = 0.0;
   if (particles.size() > 0) smallest_radius = *std::min_element(particles.radius.begin(), particles.radius.end());
-  list_.build(particles, 0.3 * smallest_radius, period_, threads_);
+  list_.build(particles, 0.4 * smallest_radius, period_, threads_);
   const std::size_t pairs = list_.pairs();
   pair_state_.assign(pairs, 0);
   pair_.assign(pairs, {});
@@ -114,7 +114,6 @@ void Engine::rebuild(const std::vector<ContactRecord>& contacts) {
     pair_[p].spring = contact.spring;
   }
   list_valid_ = true;
-  ++rebuilds_;
 }
 
 void Engine::pack(std::size_t i) {

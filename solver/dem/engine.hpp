@@ -59,7 +59,6 @@ class Engine {
   /// Largest overlap over the smaller radius at the last step [-].
   [[nodiscard]] double maximum_overlap() const { return maximum_overlap_; }
   [[nodiscard]] std::int64_t steps() const { return steps_; }
-  [[nodiscard]] std::int64_t rebuilds() const { return rebuilds_; }
   [[nodiscard]] double time_step() const { return time_step_; }
   [[nodiscard]] int threads() const { return threads_; }
 
@@ -124,7 +123,7 @@ class Engine {
   std::vector<Vec3> wall_spring_;  ///< index sphere * walls + wall
   std::vector<double> overlap_;    ///< largest overlap over radius, per sphere
   double maximum_overlap_ = 0.0;
-  std::int64_t averaged_steps_ = 0, steps_ = 0, rebuilds_ = 0;
+  std::int64_t averaged_steps_ = 0, steps_ = 0;
 };
 
 }  // namespace slfb::dem

@@ -499,7 +499,6 @@ double LiquidSolver::correct_pressure(double time_step, const std::vector<double
 
   solver_.compute(matrix_);
   const Eigen::VectorXd correction = solver_.solve(imbalance);
-  pressure_iterations_ += solver_.iterations();
   if (solver_.info() != Eigen::Success)
     throw FluidError(
         fmt::format("pressure equation: {} iterations leave a relative residual of {:.3g} (tolerance {:.3g})",
@@ -538,7 +537,7 @@ void LiquidSolver::advance(double time_step, const std::vector<double>& before, 
   constexpr int most_iterations = 100;
   const bool simple = pressure_velocity_ == PressureVelocity::simple;
   std::array<std::vector<double>, 3> flow;
-  for (outer_iterations_ = 1;; ++outer_iterations_) {
+  for (int iteration = 1;; ++iteration) {
     face_flows(flow);
     for (std::size_t a = 0; a < 3; ++a) {
       link_fluxes(a, flow);
@@ -547,8 +546,8 @@ void LiquidSolver::advance(double time_step, const std::vector<double>& before, 
     }
     const double imbalance = correct_pressure(time_step, before, now, exchange);
     if (!simple) return;
-    if (outer_iterations_ > 1 && imbalance < simple_tolerance_) return;
-    if (outer_iterations_ == most_iterations)
+    if (iteration > 1 && imbalance < simple_tolerance_) return;
+    if (iteration == most_iterations)
       throw FluidError(fmt::format("SIMPLE: {} iterations leave a scaled residual of {:.3g} (tolerance {:.3g})",
                                    most_iterations, imbalance, simple_tolerance_));
   }

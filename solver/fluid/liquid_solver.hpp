@@ -67,8 +67,6 @@ class LiquidSolver {
   [[nodiscard]] double inlet_pressure() const;
   /// Largest violation of continuity over all cells at the last step, over the inlet's volume flow [-].
   [[nodiscard]] double continuity_error() const { return continuity_error_; }
-  [[nodiscard]] long pressure_iterations() const { return pressure_iterations_; }
-  [[nodiscard]] int outer_iterations() const { return outer_iterations_; }
 
   /// Fields that the next step starts from, for checkpoints: velocities, viscous forces, pressure.
   static constexpr std::array<const char*, 7> state_names{"velocity_x", "velocity_y", "velocity_z", "viscous_x",
@@ -118,8 +116,6 @@ class LiquidSolver {
   std::vector<double*> diagonal_entry_;
   Eigen::ConjugateGradient<Eigen::SparseMatrix<double>, Eigen::Lower | Eigen::Upper, SectionMeanPreconditioner> solver_;
   double continuity_error_ = 0.0;
-  long pressure_iterations_ = 0;
-  int outer_iterations_ = 0;
 };
 
 }  // namespace slfb::fluid

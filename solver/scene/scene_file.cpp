@@ -511,9 +511,12 @@ std::string canonical_toml(const Scene& scene) {
 }
 
 std::string scene_hash(const Scene& scene) {
-  Scene untitled = scene;
-  untitled.title.clear();
-  const std::string text = canonical_toml(untitled) + fmt::format("numerics_version = {}\n", numerics_version);
+  // What changes no result is left out.
+  Scene physics = scene;
+  physics.title.clear();
+  physics.recording.checkpoint_interval = Recording{}.checkpoint_interval;
+  physics.contact.allow_large_time_step = false;
+  const std::string text = canonical_toml(physics) + fmt::format("numerics_version = {}\n", numerics_version);
   return fmt::format("{:016x}", XXH3_64bits(text.data(), text.size()));
 }
 

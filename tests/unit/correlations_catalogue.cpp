@@ -71,7 +71,7 @@ TEST(Catalogue, EverySourceIsInTheBibliography) {
 
 TEST(Catalogue, EveryLawAnswersTheDefaultArgumentsWithFiniteNumbers) {
   for (const CatalogueEntry& entry : catalogue()) {
-    const Evaluation evaluation = entry.evaluate(LawArguments{});
+    const LawAnswer evaluation = entry.evaluate(LawArguments{});
     EXPECT_FALSE(evaluation.quantities.empty()) << entry.info.name;
     for (const Quantity& quantity : evaluation.quantities) {
       EXPECT_TRUE(std::isfinite(quantity.value)) << entry.info.name << ": " << quantity.name;
