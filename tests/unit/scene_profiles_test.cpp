@@ -77,7 +77,7 @@ TEST(Profiles, QuickCoversTheVelocitiesOfTheFirstFigures) {
         quick.runs, [&](const RunSpec& run) { return run.superficial_velocity == velocity && run.variant == variant; });
   };
   for (const double velocity : {0.06, 0.07, 0.08, 0.09, 0.10, 0.11}) EXPECT_EQ(runs_at(velocity, ""), 1) << velocity;
-  for (const double velocity : {0.06, 0.10}) EXPECT_EQ(runs_at(velocity, "di-felice-1994"), 1) << velocity;
+  EXPECT_EQ(runs_at(0.10, "di-felice-1994"), 1);
 }
 
 TEST(Profiles, UnknownNameListsTheKnownOnes) {
