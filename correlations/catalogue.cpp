@@ -42,16 +42,16 @@ constexpr auto evaluate_drag = [](const auto& law, const LawArguments& a) {
   const double drag = law(drag::SuspensionFlow{a.voidage, a.reynolds});
   const double slip = a.reynolds * a.viscosity / (a.liquid_density * a.voidage * a.diameter);
   return LawAnswer{{{"dimensionless_drag", drag, "1"},
-                     {"beta", drag::exchange_coefficient(drag, a.voidage, a.diameter, a.viscosity), "kg/(m3 s)"},
-                     {"slip_velocity", slip, "m/s"}},
-                    a.reynolds};
+                    {"beta", drag::exchange_coefficient(drag, a.voidage, a.diameter, a.viscosity), "kg/(m3 s)"},
+                    {"slip_velocity", slip, "m/s"}},
+                   a.reynolds};
 };
 
 constexpr auto evaluate_single_sphere = [](const auto& law, const LawArguments& a) {
   return LawAnswer{{{"drag_coefficient", drag::single_sphere::drag_coefficient(law, a.reynolds), "1"},
-                     {"dimensionless_drag", law(a.reynolds), "1"},
-                     {"terminal_velocity", fluidisation::terminal_velocity(law, a.particle(), a.liquid()), "m/s"}},
-                    a.reynolds};
+                    {"dimensionless_drag", law(a.reynolds), "1"},
+                    {"terminal_velocity", fluidisation::terminal_velocity(law, a.particle(), a.liquid()), "m/s"}},
+                   a.reynolds};
 };
 
 // Laws that need the terminal velocity of the bed particle but do not say which drag coefficient it comes from.
@@ -64,7 +64,7 @@ double terminal_reynolds(const LawArguments& a) {
 constexpr auto evaluate_wall_correction = [](const auto& law, const LawArguments& a) {
   const double reynolds = terminal_reynolds(a);
   return LawAnswer{{{"velocity_ratio", law(a.diameter / a.column_diameter), "1"}, {"reynolds", reynolds, "1"}},
-                    reynolds};
+                   reynolds};
 };
 
 constexpr auto evaluate_minimum_fluidisation = [](const auto& law, const LawArguments& a) {
@@ -77,7 +77,7 @@ constexpr auto evaluate_expansion_exponent = [](const auto& law, const LawArgume
   const fluidisation::ExpansionConditions conditions{terminal_reynolds(a), archimedes_number(a.particle(), a.liquid()),
                                                      a.diameter / a.column_diameter};
   return LawAnswer{{{"expansion_exponent", law(conditions), "1"}, {"reynolds", conditions.terminal_reynolds, "1"}},
-                    conditions.terminal_reynolds};
+                   conditions.terminal_reynolds};
 };
 
 constexpr auto evaluate_classification = [](const auto& law, const LawArguments& a) {
@@ -121,13 +121,13 @@ constexpr auto evaluate_collision_frequency = [](const auto& law, const LawArgum
                                         .contact_value = collision::LunSavage1986{}(solids)};
   const double frequency = law(state);
   return LawAnswer{{{"collision_frequency", frequency, "1/s"},
-                     {"dimensionless_frequency", collision::dimensionless_frequency(frequency, state), "1"},
-                     {"stokes_number", collision::stokes_number(a.particle(), a.liquid(), a.kinetic_energy), "1"}}};
+                    {"dimensionless_frequency", collision::dimensionless_frequency(frequency, state), "1"},
+                    {"stokes_number", collision::stokes_number(a.particle(), a.liquid(), a.kinetic_energy), "1"}}};
 };
 
 constexpr auto evaluate_restitution = [](const auto& law, const LawArguments& a) {
   return LawAnswer{{{"restitution_over_dry",
-                      law(collision::WetImpact{a.particle(), a.liquid(), a.impact_speed, a.roughness}), "1"}}};
+                     law(collision::WetImpact{a.particle(), a.liquid(), a.impact_speed, a.roughness}), "1"}}};
 };
 
 template <class Laws, class Evaluate>

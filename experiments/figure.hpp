@@ -27,7 +27,7 @@ struct FigureOutput {
 
 /// One figure of the paper: a folder experiments/figNN_…/ with its code and README.
 struct Figure {
-  std::string id;                            ///< "fig05"
+  std::string id;  ///< "fig05"
   std::string title;
   std::vector<std::string> (*needs)(const Profile&);  ///< "system/U_L[/variant]" of the runs it draws
   FigureOutput (*draw)(const FigureContext&);

@@ -11,10 +11,10 @@ namespace slfb {
 /// A measured number with its 95 % confidence interval.
 struct Measurement {
   double value = std::numeric_limits<double>::quiet_NaN();
-  double half_width = 0.0;   ///< of the 95 % interval; 0 for a deterministic result, NaN for a single sample
-  std::size_t samples = 1;   ///< independent samples (replicates, or effective ones of a correlated series)
+  double half_width = 0.0;  ///< of the 95 % interval; 0 for a deterministic result, NaN for a single sample
+  std::size_t samples = 1;  ///< independent samples (replicates, or effective ones of a correlated series)
   std::string unit;
-  std::string origin;        ///< what produced it: "law", "arithmetic", or the name of the run
+  std::string origin;  ///< what produced it: "law", "arithmetic", or the name of the run
 };
 
 /// Keys read "<quantity>/<system>/<U_L>", e.g. "classification_velocity/6in5W/0.06"; a variant follows after a

@@ -97,7 +97,8 @@ std::vector<ContactRecord> Engine::contact_records() const {
 }
 
 void Engine::rebuild(const std::vector<ContactRecord>& contacts) {
-  // A wide skin makes long lists, a narrow one frequent rebuilding; the optimum is flat between a third and half a radius.
+  // A wide skin makes long lists, a narrow one frequent rebuilding; the optimum is flat between a third and half a
+  // radius.
   double smallest_radius = 0.0;
   if (particles.size() > 0) smallest_radius = *std::min_element(particles.radius.begin(), particles.radius.end());
   list_.build(particles, 0.4 * smallest_radius, period_, threads_);

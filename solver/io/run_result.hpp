@@ -60,7 +60,7 @@ struct RunResult {
   std::string date;  ///< ISO 8601, UTC
   int threads = 1;
   double wall_seconds = 0.0;
-  double cpu_seconds = 0.0;                   ///< of the leading thread times the threads, which keep in step
+  double cpu_seconds = 0.0;  ///< of the leading thread times the threads, which keep in step
   double simulated_seconds = 0.0;
   std::int64_t particle_steps = 0;
   std::int64_t particles_removed = 0;  ///< through the outlet

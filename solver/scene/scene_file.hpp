@@ -31,8 +31,8 @@ void validate_scene(const Scene& scene);
 /// parse_scene gives the same scene.
 std::string canonical_toml(const Scene& scene);
 
-/// Sixteen hexadecimal digits (XXH3, 64 bit) of canonical_toml and the numerics version, without what changes no result:
-/// title, checkpoint interval, permission for a large step.
+/// Sixteen hexadecimal digits (XXH3, 64 bit) of canonical_toml and the numerics version, without what changes no
+/// result: title, checkpoint interval, permission for a large step.
 std::string scene_hash(const Scene& scene);
 
 /// A-priori bound of the DEM step: 1/ω_0 = √(m_eff/k_n) of the lightest pair (walls count as infinite mass) [s].
