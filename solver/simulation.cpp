@@ -357,9 +357,7 @@ void Simulation::write_snapshot() {
 }
 
 void Simulation::save(const std::filesystem::path& file) const {
-  const auto temporary = std::filesystem::path(file).concat(".part");
-  {
-    auto h5 = io::Hdf5File::create(temporary);
+  io::write_atomically(file, [&](io::Hdf5File& h5) {
     const auto& particles = engine_.particles;
     const auto write_vector = [&](const std::string& name, const dem::VectorField& field) {
       h5.write(name + "/x", field.x);
@@ -395,8 +393,7 @@ void Simulation::save(const std::filesystem::path& file) const {
                                                 position_.repetition, position_.falling, position_.phase_steps,
                                                 fluidised_steps_, foreign_});
     h5.write_attribute("/", "scene_hash", scene_hash(scene_));
-  }
-  std::filesystem::rename(temporary, file);
+  });
 }
 
 std::filesystem::path Simulation::records_file(std::int64_t dem_steps) const {

@@ -131,8 +131,8 @@ TEST(Liquid, ConservesVolumeUnderMovingSpheres) {
   }
 }
 
-/// Spheres on a lattice, held fast by infinite mass in all but name.
-dem::Engine fixed_lattice(const Scene& scene, double spacing, double density) {
+/// Spheres on a cubic lattice in the column.
+dem::Engine lattice(const Scene& scene, double spacing, double density) {
   dem::Engine engine(scene.contact, {}, {0, 0, 0}, 1);
   for (double z = 0.0025; z < scene.geometry.height - 0.0025; z += spacing)
     for (double y = -0.025; y < 0.025; y += spacing)
@@ -142,11 +142,11 @@ dem::Engine fixed_lattice(const Scene& scene, double spacing, double density) {
 }
 
 // Newton's third law over one step: the impulse on the spheres is what the liquid lost.
-// Liquid: d(momentum)/dt + outflow − inflow + wall shear = −∮ p − F; checked through the liquid's own balance of drag.
+// The spheres' side is summed over spheres, the liquid's over its momentum nodes.
 TEST(Coupling, WhatTheSpheresGainTheLiquidLoses) {
   Scene scene = water_column(0.06);
   fluid::LiquidSolver liquid(scene);
-  dem::Engine engine = fixed_lattice(scene, 0.0061, 2230);
+  dem::Engine engine = lattice(scene, 0.0061, 2230);
   for (std::size_t i = 0; i < engine.particles.size(); ++i) {
     engine.particles.velocity.x[i] = 0.02 * std::sin(static_cast<double>(i));
     engine.particles.velocity.z[i] = 0.05 * std::cos(3.0 * static_cast<double>(i));
@@ -163,7 +163,7 @@ TEST(Coupling, WhatTheSpheresGainTheLiquidLoses) {
   }
 }
 
-// A uniform frozen bed with frictionless walls: Δp/L = β/ε (U/ε) · ... which is the law itself, for every law.
+// A uniform frozen bed with frictionless walls has the pressure drop that the law alone gives, for every law.
 TEST(Coupling, FrozenUniformBedHasTheLawsPressureDrop) {
   for (const char* name : {"ergun-1952", "wen-yu-1966", "di-felice-1994", "gibilaro-1985", "beetstra-2007"}) {
     Scene scene = water_column(0.05);
