@@ -12,7 +12,7 @@ struct RunEstimate {
   std::int64_t spheres = 0;         ///< at the start
   std::int64_t liquid_cells = 0;    ///< 0 for a quiescent liquid
   double time_step_bound = 0.0;     ///< 1/ω_0 of the stiffest pair [s]
-  double steps_per_contact = 0.0;   ///< DEM steps in the half period π/ω_0 of the lightest pair [-]
+  double steps_per_contact = 0.0;   ///< DEM steps in the half period π/ω_0 of the stiffest pair [-]
   double simulated_seconds = 0.0;   ///< with dropped spheres taken to fall for `typical_fall` [s]
   double longest_seconds = 0.0;     ///< with each dropped sphere waited for as long as the scene allows [s]
   std::int64_t particle_steps = 0;  ///< spheres times DEM steps in simulated_seconds

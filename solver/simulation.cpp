@@ -49,6 +49,30 @@ std::string machine_name() {
   return system.machine;
 }
 
+void write_contacts(io::Hdf5File& h5, const std::string& name, const std::vector<dem::ContactRecord>& records) {
+  std::vector<std::int64_t> numbers;
+  std::vector<double> values;
+  for (const dem::ContactRecord& c : records) {
+    numbers.insert(numbers.end(), {c.first, c.second, c.first_step});
+    values.insert(values.end(), {c.spring.x, c.spring.y, c.spring.z, c.rolling_memory.x, c.rolling_memory.y,
+                                 c.rolling_memory.z, c.impact_speed});
+  }
+  h5.write(name + "/numbers", numbers);
+  h5.write(name + "/values", values);
+}
+
+std::vector<dem::ContactRecord> read_contacts(const io::Hdf5File& h5, const std::string& name) {
+  const auto numbers = h5.read_integers(name + "/numbers");
+  const auto values = h5.read_doubles(name + "/values");
+  std::vector<dem::ContactRecord> records;
+  for (std::size_t c = 0; c < numbers.size() / 3; ++c) {
+    const auto number = [&](std::size_t k) { return static_cast<std::uint32_t>(numbers[3 * c + k]); };
+    const double* v = &values[7 * c];
+    records.push_back({number(0), number(1), {v[0], v[1], v[2]}, {v[3], v[4], v[5]}, number(2), v[6]});
+  }
+  return records;
+}
+
 /// Where a run stands: the stage, the steps done in it, and for drops the sphere and its phase.
 struct Position {
   std::int64_t stage = 0, steps = 0, repetition = 0, falling = 0, phase_steps = 0;
@@ -193,6 +217,7 @@ void Simulation::release(const Stage& stage) {
   }
   foreign_ = static_cast<std::int64_t>(
       engine_.add_particle({0.0, 0.0, stage.release_height}, radius, species.density, static_cast<int>(index)));
+  engine_.track(static_cast<std::size_t>(foreign_));
   coupled_->forget_void_fraction();
   DropSeries drop;
   drop.release_time = fluidised_seconds();
@@ -225,8 +250,7 @@ void Simulation::remove_at_outlet() {
 void Simulation::advance() {
   coupling::PhaseCoupling& exchange = coupling();
   exchange.advance(engine_, scene_.fluid.time_step);
-  engine_.reset_mean_forces();
-  for (std::int64_t s = 0; s < substeps_; ++s) engine_.step();
+  engine_.advance(substeps_);
   result_.particle_steps += substeps_ * static_cast<std::int64_t>(engine_.particles.size());
   result_.simulated_seconds += scene_.fluid.time_step;
   ++position_.steps;
@@ -308,7 +332,7 @@ void Simulation::sample_drop() {
   drop.reynolds.push_back(coupled_->reynolds(i));
   const auto force = engine_.contact_force(i);
   drop.contact_force.push_back(std::hypot(force[0], force[1], force[2]));
-  const auto mean = engine_.mean_contact_force(i);
+  const auto mean = engine_.mean_contact_force_of_tracked();
   drop.contact_force_mean_x.push_back(mean[0]);
   drop.contact_force_mean_y.push_back(mean[1]);
   drop.contact_force_mean_z.push_back(mean[2]);
@@ -371,25 +395,20 @@ void Simulation::save(const std::filesystem::path& file) const {
     h5.write("particles/mass", particles.mass);
     h5.write("particles/species", std::vector<std::int64_t>(particles.species.begin(), particles.species.end()));
     const dem::Engine::Memory memory = engine_.memory();
-    std::vector<std::int64_t> pairs;
-    std::vector<double> springs;
-    for (const auto& contact : memory.contacts) {
-      pairs.insert(pairs.end(), {contact.first, contact.second});
-      springs.insert(springs.end(), {contact.spring.x, contact.spring.y, contact.spring.z});
-    }
-    h5.write("contacts/pairs", pairs);
-    h5.write("contacts/springs", springs);
-    h5.write("contacts/wall_springs", memory.wall_springs);
+    write_contacts(h5, "contacts/spheres", memory.contacts);
+    write_contacts(h5, "contacts/walls", memory.wall_contacts);
     h5.write("contacts/events", memory.contact_events);
-    write_vector("contacts/mean", memory.mean_contact);
-    write_vector("contacts/mean_wall", memory.mean_wall);
+    write_vector("contacts/mean_solid_force", memory.mean_solid_force);
+    write_vector("neighbour_list/position", memory.list_position);
+    h5.write("neighbour_list/skin", std::vector<double>{memory.skin});
+    h5.write("integrator", memory.integrator);
     if (liquid_) {
       const auto state = liquid_->state();
       for (std::size_t f = 0; f < state.size(); ++f)
         h5.write(fmt::format("liquid/{}", fluid::LiquidSolver::state_names[f]), state[f]);
       h5.write("liquid/volume", coupled_->liquid_volume());
     }
-    h5.write("clock", std::vector<std::int64_t>{memory.averaged_steps, memory.steps, position_.stage, position_.steps,
+    h5.write("clock", std::vector<std::int64_t>{memory.list_step, memory.steps, position_.stage, position_.steps,
                                                 position_.repetition, position_.falling, position_.phase_steps,
                                                 fluidised_steps_, foreign_});
     h5.write_attribute("/", "scene_hash", scene_hash(scene_));
@@ -416,22 +435,20 @@ bool Simulation::resume(const std::filesystem::path& file) {
   for (const std::int64_t s : h5.read_integers("particles/species")) particles.species.push_back(static_cast<int>(s));
   const auto clock = h5.read_integers("clock");
   dem::Engine::Memory memory;
-  const auto pairs = h5.read_integers("contacts/pairs");
-  const auto springs = h5.read_doubles("contacts/springs");
-  for (std::size_t c = 0; c < pairs.size() / 2; ++c)
-    memory.contacts.push_back({static_cast<std::uint32_t>(pairs[2 * c]),
-                               static_cast<std::uint32_t>(pairs[2 * c + 1]),
-                               {springs[3 * c], springs[3 * c + 1], springs[3 * c + 2]}});
-  memory.wall_springs = h5.read_doubles("contacts/wall_springs");
+  memory.contacts = read_contacts(h5, "contacts/spheres");
+  memory.wall_contacts = read_contacts(h5, "contacts/walls");
   memory.contact_events = h5.read_integers("contacts/events");
-  memory.mean_contact = read_vector("contacts/mean");
-  memory.mean_wall = read_vector("contacts/mean_wall");
-  memory.averaged_steps = clock.at(0);
+  memory.mean_solid_force = read_vector("contacts/mean_solid_force");
+  memory.list_position = read_vector("neighbour_list/position");
+  memory.skin = h5.read_doubles("neighbour_list/skin").at(0);
+  memory.integrator = h5.read_doubles("integrator");
+  memory.list_step = clock.at(0);
   memory.steps = clock.at(1);
   engine_.restore(std::move(particles), memory);
   position_ = {clock.at(2), clock.at(3), clock.at(4), clock.at(5), clock.at(6)};
   fluidised_steps_ = clock.at(7);
   foreign_ = clock.at(8);
+  if (foreign_ >= 0) engine_.track(static_cast<std::size_t>(foreign_));
   if (liquid_) {
     std::array<std::vector<double>, fluid::LiquidSolver::state_names.size()> state;
     for (std::size_t f = 0; f < state.size(); ++f)

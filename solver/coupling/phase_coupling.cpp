@@ -55,12 +55,12 @@ void PhaseCoupling::predict_velocity(const dem::Engine& engine, double time_step
   const std::array<const std::vector<double>*, 3> velocity{&particles.velocity.x, &particles.velocity.y,
                                                            &particles.velocity.z};
   for (std::size_t i = 0; i < particles.size(); ++i) {
-    const auto contact = engine.mean_contact_force(i), wall = engine.mean_wall_force(i);
+    const auto solid = engine.mean_solid_force(i);
     const double buoyant_weight = -gravity * (particles.mass[i] - scene_.liquid.density * volume_[i]);
     const double mass = particles.mass[i];
     const double damping = 1.0 + coefficient_[i] * time_step / mass;
     for (std::size_t a = 0; a < 3; ++a) {
-      const double other = contact[a] + wall[a] + volume_[i] * stress_[a][i] + (a == 2 ? buoyant_weight : 0.0);
+      const double other = solid[a] + volume_[i] * stress_[a][i] + (a == 2 ? buoyant_weight : 0.0);
       predicted_velocity_[a][i] = (*velocity[a])[i] + time_step * other / mass;
     }
     coefficient_[i] /= damping;

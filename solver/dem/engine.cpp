@@ -4,15 +4,29 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <numeric>
+#include <tuple>
+#include <utility>
+
+#include "solver/dem/hertz_mindlin.hpp"
 
 namespace slfb::dem {
 namespace {
 
-/// Share of a loop over n items that belongs to thread t.
-std::pair<std::size_t, std::size_t> share(std::size_t n, int t, int threads) {
-  const auto parts = static_cast<std::size_t>(threads), part = static_cast<std::size_t>(t);
-  return {n * part / parts, n * (part + 1) / parts};
-}
+/// Spheres whose contacts are computed together: some hundred contacts, which fit the first cache.
+constexpr std::size_t block_size = 32;
+
+/// The skin balances the pairs that a step looks at in vain, about 10 skin/d per sphere, against rebuilding the list,
+/// which costs as much as looking at this many pairs times two.
+constexpr double rebuild_cost = 15.0;
+constexpr double least_skin = 0.02, largest_skin = 0.4;  ///< over the smallest diameter
+
+/// Each of two spheres may come nearer by half the skin; a little is kept for what the bound of the travel leaves out.
+constexpr double usable_skin = 0.49;
+
+/// Steps after which the list is rebuilt even if nothing has moved far: the skin of a bed at rest can then shrink.
+constexpr std::int64_t longest_list_life = 1000;
 
 Vec3 load(const VectorField& field, std::size_t i) { return {field.x[i], field.y[i], field.z[i]}; }
 
@@ -22,375 +36,833 @@ void store(VectorField& field, std::size_t i, Vec3 value) {
   field.z[i] = value.z;
 }
 
+/// values[s] = values[order[s]], each item being `per_item` values.
+template <class T>
+void permute(std::vector<T>& values, const std::vector<std::uint32_t>& order, std::size_t per_item,
+             std::vector<T>& scratch) {
+  scratch.resize(values.size());
+  for (std::size_t s = 0; s < order.size(); ++s)
+    for (std::size_t k = 0; k < per_item; ++k) scratch[s * per_item + k] = values[order[s] * per_item + k];
+  values.swap(scratch);
+}
+
+template <class Law>
+double stiffness_of(const Contact& contact, double overlap, double effective_radius) {
+  return Law(contact)(overlap, 0.0, 0.0, effective_radius).stiffness;
+}
+
 }  // namespace
 
+/// Pairs that may touch before the list is rebuilt, sorted by their first sphere, and what each remembers.
+struct Engine::PairList {
+  std::vector<std::uint32_t> start;          ///< of the pairs of each sphere of the share; one more than spheres
+  std::vector<std::uint32_t> first, second;  ///< slots of the spheres; second: or number of the wall
+  std::vector<std::uint8_t> image;           ///< see CellSearch
+  std::vector<Row> memory;                   ///< tangential spring [m]; w: √m_eff [kg^½]
+  std::vector<Row> rolling_memory;
+  std::vector<std::uint32_t> last_step, first_step;    ///< of the newest contact, modulo 2^32
+  std::vector<double> impact_speed;                    ///< of the newest contact; negative: none, or told already
+  std::vector<double> normal_force, tangential_force;  ///< at the last step of advance()
+
+  void clear() {
+    start.assign(1, 0);
+    first.clear();
+    second.clear();
+    image.clear();
+  }
+  void add(std::uint32_t i, std::uint32_t j, std::uint8_t with_image) {
+    first.push_back(i);
+    second.push_back(j);
+    image.push_back(with_image);
+  }
+  void close_sphere() { start.push_back(static_cast<std::uint32_t>(second.size())); }
+  void forget(std::uint32_t never) {
+    const std::size_t pairs = second.size();
+    memory.assign(pairs, {});
+    rolling_memory.assign(pairs, {});
+    last_step.assign(pairs, never);
+    first_step.assign(pairs, never);
+    impact_speed.assign(pairs, -1.0);
+    normal_force.assign(pairs, 0.0);
+    tangential_force.assign(pairs, 0.0);
+  }
+};
+
+/// The second sphere of a pair, or the foot point on a wall.
+struct Engine::SecondBody {
+  Pack place, velocity, spin;
+};
+
+/// What the contacts of a list do in a step, in the order in which they were computed.
+struct Engine::ContactRows {
+  std::vector<Row> force, torque_i, torque_j;  ///< see ContactBatch
+  std::vector<std::uint32_t> fresh;            ///< contacts that have just begun
+  std::size_t told = 0;                        ///< of these, how many have had their impact speed written down
+
+  void resize(std::size_t contacts) {
+    told = 0;
+    if (force.size() >= contacts + 4) return;
+    for (auto* rows : {&force, &torque_i, &torque_j}) rows->resize(contacts + 4);
+  }
+};
+
+/// The spheres of one thread, their pairs and its workspace.
+struct Engine::Share {
+  std::size_t first = 0, last = 0;  ///< slots
+  PairList inner, outer, wall;      ///< both spheres in the share; the second in a later one; walls
+  std::vector<std::uint32_t> touching, outer_touching;
+  ContactRows rows, outer_rows;
+  std::vector<Row> foot;  ///< of each pair with a wall: the point of the wall; w = 0, no radius
+  std::size_t outer_count = 0, outer_next = 0;
+  double speed_squared = 0.0, speed_sum = 0.0, overlap = 0.0;
+  Vec3 tracked_force;
+  std::string failure;
+  std::vector<Collision> collisions;
+  ContactBatch batch{};
+};
+
 Engine::Engine(const Contact& contact, std::vector<Wall> walls, std::array<double, 3> period, int threads)
-    : law_(contact),
+    : contact_(contact),
       walls_(std::move(walls)),
       period_(period),
       time_step_(contact.time_step),
-      steps_per_second_(1.0 / contact.time_step),
-      threads_(threads) {}
+      threads_(threads),
+      periodic_(period[0] > 0.0 || period[1] > 0.0 || period[2] > 0.0) {
+  if (contact.law == ContactLaw::linear)
+    choose_rolling<LinearSpringDashpot>();
+  else
+    choose_rolling<HertzMindlin>();
+  switch (contact.integrator) {
+    case Integrator::symplectic_euler:
+      choose_integrator<SymplecticEuler>();
+      break;
+    case Integrator::velocity_verlet:
+      choose_integrator<VelocityVerlet>();
+      break;
+    case Integrator::position_verlet:
+      choose_integrator<PositionVerlet>();
+      break;
+    case Integrator::gear:
+      choose_integrator<Gear>();
+      break;
+  }
+  for (int image = 0; image < 27; ++image)
+    image_shift_[static_cast<std::size_t>(image)] = {(image % 3 - 1) * period[0], (image / 3 % 3 - 1) * period[1],
+                                                     (image / 9 - 1) * period[2], 0.0};
+  for (int t = 0; t < threads; ++t) shares_.push_back(std::make_unique<Share>());
+}
+
+Engine::~Engine() = default;
+Engine::Engine(Engine&&) noexcept = default;
+
+template <class Law>
+void Engine::choose_rolling() {
+  stiffness_ = &stiffness_of<Law>;
+  const auto choose = [&]<class Rolling>() {
+    sweep_ = &Engine::sweep<Law, Rolling>;
+    compute_outer_ = &Engine::compute_outer<Law, Rolling>;
+  };
+  if (contact_.rolling_friction == 0.0)
+    choose.template operator()<NoRollingResistance>();
+  else if (contact_.rolling_model == RollingModel::constant_torque)
+    choose.template operator()<ConstantRollingTorque>();
+  else
+    choose.template operator()<ElasticPlasticRolling>();
+}
+
+template <class Integrator>
+void Engine::choose_integrator() {
+  integrator_rows_ = Integrator::rows;
+  spring_phase_ = Integrator::spring_phase;
+  move_ = &Engine::move<Integrator>;
+  predict_ = &Engine::predict<Integrator>;
+}
+
+// --- spheres ---------------------------------------------------------------------------------------------------------
 
 std::size_t Engine::add_particle(const std::array<double, 3>& centre, double radius, double density, int species) {
-  const auto contacts = contact_records();
+  const Records records = contact_records();
+  number_order();
   const std::size_t i = particles.add(centre, radius, density, species);
   resize_particle_arrays();
-  if (list_valid_) rebuild(contacts);
+  if (list_valid_) list_anew(records);
   return i;
+}
+
+void Engine::remove_particle(std::size_t i) {
+  Records records = contact_records();
+  std::erase_if(records.spheres, [i](const ContactRecord& c) { return c.first == i || c.second == i; });
+  std::erase_if(records.walls, [i](const ContactRecord& c) { return c.first == i; });
+  for (ContactRecord& c : records.spheres) {
+    if (c.first > i) --c.first;
+    if (c.second > i) --c.second;
+  }
+  for (ContactRecord& c : records.walls)
+    if (c.first > i) --c.first;
+  number_order();
+  particles.remove(i);
+  for (auto* field : {&external_force, &mean_solid_force_, &contact_force_, &wall_force_}) field->erase(i);
+  const auto at = [i](auto& values, std::size_t per_sphere) {
+    return values.begin() + static_cast<std::ptrdiff_t>(i * per_sphere);
+  };
+  contacts_.erase(at(contacts_, 1));
+  contact_events_.erase(at(contact_events_, 1));
+  integrator_.erase(at(integrator_, integrator_rows_),
+                    at(integrator_, integrator_rows_) + static_cast<std::ptrdiff_t>(integrator_rows_));
+  if (tracked_ == i) tracked_.reset();
+  if (tracked_ && *tracked_ > i) --*tracked_;
+  if (list_valid_) list_anew(records);
 }
 
 void Engine::resize_particle_arrays() {
   const std::size_t n = particles.size();
-  for (auto* field : {&external_force, &contact_force_, &wall_force_, &torque_, &mean_contact_, &mean_wall_})
-    field->resize(n);
+  for (auto* field : {&external_force, &mean_solid_force_, &contact_force_, &wall_force_}) field->resize(n);
   contacts_.resize(n, 0);
   contact_events_.resize(n, 0);
-  wall_spring_.resize(n * walls_.size());
-  overlap_.resize(n, 0.0);
-  place_.resize(n);
-  motion_.resize(n);
-  for (std::size_t i = mass_class_.size(); i < n; ++i) mass_class_.push_back(mass_class(particles.mass[i]));
+  integrator_.resize(n * integrator_rows_);
 }
 
-std::int64_t Engine::mass_class(double mass) {
-  const auto found = std::find(masses_.begin(), masses_.end(), mass);
-  if (found != masses_.end()) return found - masses_.begin();
-  masses_.push_back(mass);
-  root_effective_mass_.clear();
-  for (const double a : masses_)
-    for (const double b : masses_) root_effective_mass_.push_back(std::sqrt(a * b / (a + b)));
-  return static_cast<std::int64_t>(masses_.size()) - 1;
+/// Lays the memory of the integrator out by the numbers of the spheres, for a change of their number.
+void Engine::number_order() {
+  if (list_valid_) permute(integrator_, slot_of_, integrator_rows_, row_scratch_);
 }
 
-void Engine::remove_particle(std::size_t i) {
-  auto contacts = contact_records();
-  std::erase_if(contacts, [i](const ContactRecord& c) { return c.first == i || c.second == i; });
-  for (auto& c : contacts) {
-    if (c.first > i) --c.first;
-    if (c.second > i) --c.second;
+void Engine::pack() {
+  for (std::size_t s = 0; s < particles.size(); ++s) {
+    const std::size_t i = order_[s];
+    const Vec3 x = load(particles.position, i), v = load(particles.velocity, i),
+               w = load(particles.angular_velocity, i);
+    const double inverse_mass = 1.0 / particles.mass[i];
+    place_[s] = {x.x, x.y, x.z, particles.radius[i]};
+    velocity_[s] = {v.x, v.y, v.z, inverse_mass};
+    spin_[s] = {w.x, w.y, w.z, inverse_mass / (0.4 * particles.radius[i] * particles.radius[i])};
+    constant_[s].set(inverse_mass * load(external_force, i));
   }
-  particles.remove(i);
-  for (auto* field : {&external_force, &contact_force_, &wall_force_, &torque_, &mean_contact_, &mean_wall_})
-    field->erase(i);
-  const auto at = [i](auto& vector) { return vector.begin() + static_cast<std::ptrdiff_t>(i); };
-  contacts_.erase(at(contacts_));
-  contact_events_.erase(at(contact_events_));
-  overlap_.erase(at(overlap_));
-  mass_class_.erase(at(mass_class_));
-  place_.pop_back();
-  motion_.pop_back();
-  const auto walls = static_cast<std::ptrdiff_t>(walls_.size());
-  const auto first = wall_spring_.begin() + static_cast<std::ptrdiff_t>(i) * walls;
-  wall_spring_.erase(first, first + walls);
-  rebuild(contacts);
 }
 
-std::vector<ContactRecord> Engine::contact_records() const {
-  std::vector<ContactRecord> records;
+/// Calls visit(first slot, second slot or wall, list, pair, at_wall) for all contacts of the last step.
+template <class Visit>
+void Engine::for_contacts(Visit visit) const {
+  if (!list_valid_) return;
+  for (const auto& share : shares_)
+    for (const PairList* list : {&share->inner, &share->outer, &share->wall})
+      for (std::uint32_t p = 0; p < list->second.size(); ++p)
+        if (list->last_step[p] == static_cast<std::uint32_t>(steps_))
+          visit(list->first[p], list->second[p], *list, p, list == &share->wall);
+}
+
+void Engine::unpack(std::int64_t steps) {
+  const double inverse_time = 1.0 / (static_cast<double>(steps) * time_step_);
+  for (std::size_t s = 0; s < particles.size(); ++s) {
+    const std::size_t i = order_[s];
+    const Vec3 v = velocity_[s].vector();
+    const Vec3 gained = (particles.mass[i] * inverse_time) * (v - load(particles.velocity, i));
+    store(mean_solid_force_, i, gained - load(external_force, i));
+    store(particles.position, i, place_[s].vector());
+    store(particles.velocity, i, v);
+    store(particles.angular_velocity, i, spin_[s].vector());
+    store(contact_force_, i, contact_force_row_[s].vector());
+    store(wall_force_, i, wall_force_row_[s].vector());
+    contact_events_[i] = events_[s];
+  }
+  std::fill(contacts_.begin(), contacts_.end(), 0);
+  for_contacts([&](std::uint32_t a, std::uint32_t b, const PairList&, std::uint32_t, bool at_wall) {
+    if (at_wall) return;
+    ++contacts_[order_[a]];
+    ++contacts_[order_[b]];
+  });
+}
+
+// --- the neighbour list ----------------------------------------------------------------------------------------------
+
+double Engine::largest_displacement() const {
+  double squared = 0.0;
+  for (std::size_t s = 0; s < place_.size(); ++s) {
+    const Vec3 moved = place_[s].vector() - origin_[s].vector();
+    squared = std::max(squared, dot(moved, moved));
+  }
+  return std::sqrt(squared);
+}
+
+double Engine::choose_skin() const {
+  double diameter = std::numeric_limits<double>::infinity(), speed = 0.0;
+  for (std::size_t s = 0; s < place_.size(); ++s) {
+    diameter = std::min(diameter, 2.0 * place_[s].w);
+    speed = std::max(speed, norm(velocity_[s].vector()));
+  }
+  if (place_.empty()) return 0.0;
+  if (list_valid_ && steps_ > list_step_)
+    speed = largest_displacement() / (static_cast<double>(steps_ - list_step_) * time_step_);
+  return std::clamp(std::sqrt(rebuild_cost * speed * time_step_ * diameter), least_skin * diameter,
+                    largest_skin * diameter);
+}
+
+/// Takes the spheres from `particles`, whatever was before, and lists their pairs.
+void Engine::list_anew(const Records& records, std::optional<double> skin) {
+  const std::size_t n = particles.size();
+  order_.resize(n);
+  std::iota(order_.begin(), order_.end(), 0U);
+  for (auto* rows : {&place_, &velocity_, &spin_, &constant_}) rows->resize(n);
+  for (auto* rows : {&force_, &torque_, &wall_force_row_, &contact_force_row_}) rows->assign(n, {});
+  events_ = contact_events_;
+  pack();
+  list_valid_ = false;
+  list_pairs(skin ? *skin : choose_skin());
+  remember(records);
+}
+
+void Engine::rebuild() {
+  const Records records = contact_records();
+  list_pairs(choose_skin());
+  remember(records);
+}
+
+/// Sorts the spheres and finds their pairs, none of which remembers anything yet.
+void Engine::list_pairs(double skin) {
+  const std::size_t n = place_.size();
+  if (periodic_)
+    for (std::size_t s = 0; s < n; ++s) {
+      Row& x = place_[s];
+      if (period_[0] > 0.0) x.x -= period_[0] * std::nearbyint(x.x / period_[0]);
+      if (period_[1] > 0.0) x.y -= period_[1] * std::nearbyint(x.y / period_[1]);
+      if (period_[2] > 0.0) x.z -= period_[2] * std::nearbyint(x.z / period_[2]);
+      store(particles.position, order_[s], x.vector());
+    }
+  const std::vector<std::uint32_t>& sorted = search_.sort(place_, skin, period_);
+  for (auto* rows : {&place_, &velocity_, &spin_, &constant_}) permute(*rows, sorted, 1, row_scratch_);
+  permute(integrator_, sorted, integrator_rows_, row_scratch_);
+  permute(order_, sorted, 1, number_scratch_);
+  permute(events_, sorted, 1, count_scratch_);
+  slot_of_.resize(n);
+  for (std::size_t s = 0; s < n; ++s) slot_of_[order_[s]] = static_cast<std::uint32_t>(s);
+  origin_ = place_;
+
+#pragma omp parallel for num_threads(threads_) schedule(static, 1)
+  for (std::size_t t = 0; t < shares_.size(); ++t) {
+    Share& share = *shares_[t];
+    finish_collisions(share);
+    share.first = n * t / shares_.size();
+    share.last = n * (t + 1) / shares_.size();
+    share.inner.clear();
+    share.outer.clear();
+    share.wall.clear();
+    for (std::size_t i = share.first; i < share.last; ++i) {
+      search_.for_pairs(place_, static_cast<std::uint32_t>(i), [&](std::uint32_t j, std::uint8_t image) {
+        (j < share.last ? share.inner : share.outer).add(static_cast<std::uint32_t>(i), j, image);
+      });
+      for (std::uint32_t w = 0; w < walls_.size(); ++w)
+        if (!walls_[w].clear_of(place_[i].vector(), place_[i].w + skin))
+          share.wall.add(static_cast<std::uint32_t>(i), w, CellSearch::own_image);
+      share.inner.close_sphere();
+      share.outer.close_sphere();
+      share.wall.close_sphere();
+    }
+    const auto never = static_cast<std::uint32_t>(steps_ - 1);
+    for (PairList* list : {&share.inner, &share.outer, &share.wall}) {
+      list->forget(never);
+      for (std::size_t p = 0; p < list->second.size(); ++p) {
+        const double inverse_mass = velocity_[list->first[p]].w;
+        const double other = list == &share.wall ? 0.0 : velocity_[list->second[p]].w;
+        list->memory[p].w = 1.0 / std::sqrt(inverse_mass + other);
+      }
+    }
+    std::size_t most = share.wall.second.size();
+    for (std::size_t i = 0; i + 1 < share.inner.start.size(); i += block_size)
+      most = std::max<std::size_t>(
+          most, share.inner.start[std::min(i + block_size, share.inner.start.size() - 1)] - share.inner.start[i]);
+    share.touching.resize(most + 1);
+    share.outer_touching.resize(share.outer.second.size() + 1);
+    share.foot.assign(share.wall.second.size(), {});
+  }
+  skin_ = skin;
+  travel_ = 0.0;
+  margin_ = usable_skin * skin;
+  list_step_ = steps_;
+  list_valid_ = true;
+  ++list_builds_;
+}
+
+Engine::Records Engine::contact_records() const {
+  Records records;
   if (!list_valid_) return records;
-  const auto& start = list_.start();
-  for (std::uint32_t i = 0; i + 1 < start.size(); ++i)
-    for (std::uint32_t p = start[i]; p < start[i + 1]; ++p)
-      if (pair_state_[p] != 0) records.push_back({i, list_.second()[p], pair_[p].spring});
+  const auto touching = static_cast<std::uint32_t>(steps_);
+  for (const auto& share : shares_)
+    for (const PairList* list : {&share->inner, &share->outer, &share->wall})
+      for (std::uint32_t p = 0; p < list->second.size(); ++p) {
+        if (list->last_step[p] != touching) continue;
+        const bool at_wall = list == &share->wall;
+        ContactRecord record{order_[list->first[p]],   at_wall ? list->second[p] : order_[list->second[p]],
+                             list->memory[p].vector(), list->rolling_memory[p].vector(),
+                             list->first_step[p],      list->impact_speed[p]};
+        if (!at_wall && record.first > record.second) {
+          std::swap(record.first, record.second);
+          record.spring = -1.0 * record.spring;
+          record.rolling_memory = -1.0 * record.rolling_memory;
+        }
+        (at_wall ? records.walls : records.spheres).push_back(record);
+      }
   return records;
 }
 
-void Engine::rebuild(const std::vector<ContactRecord>& contacts) {
-  // A wide skin makes long lists, a narrow one frequent rebuilding; the optimum is flat between a third and half a
-  // radius.
-  double smallest_radius = 0.0;
-  if (particles.size() > 0) smallest_radius = *std::min_element(particles.radius.begin(), particles.radius.end());
-  list_.build(particles, 0.4 * smallest_radius, period_, threads_);
-  const std::size_t pairs = list_.pairs();
-  pair_state_.assign(pairs, 0);
-  pair_.assign(pairs, {});
-  for (const ContactRecord& contact : contacts) {
-    const auto first = list_.second().begin() + list_.start()[contact.first];
-    const auto last = list_.second().begin() + list_.start()[contact.first + 1];
-    const auto found = std::lower_bound(first, last, contact.second);
-    if (found == last || *found != contact.second) continue;
-    const auto p = static_cast<std::size_t>(found - list_.second().begin());
-    pair_state_[p] = 1;
-    pair_[p].spring = contact.spring;
+void Engine::remember(const Records& records) {
+  const auto touching = static_cast<std::uint32_t>(steps_);
+  const auto keep = [&](std::size_t slot, std::uint32_t second, bool at_wall, const ContactRecord& record,
+                        double sign) {
+    std::size_t t = slot * shares_.size() / place_.size();
+    while (slot >= shares_[t]->last) ++t;
+    Share& share = *shares_[t];
+    PairList& list = at_wall ? share.wall : second < share.last ? share.inner : share.outer;
+    const std::size_t own = slot - share.first;
+    for (std::uint32_t p = list.start[own]; p < list.start[own + 1]; ++p) {
+      if (list.second[p] != second) continue;
+      list.memory[p].set(sign * record.spring);
+      list.rolling_memory[p].set(sign * record.rolling_memory);
+      list.first_step[p] = record.first_step;
+      list.last_step[p] = touching;
+      list.impact_speed[p] = record.impact_speed;
+    }
+  };
+  for (const ContactRecord& record : records.spheres) {
+    const std::uint32_t a = slot_of_[record.first], b = slot_of_[record.second];
+    keep(std::min(a, b), std::max(a, b), false, record, a < b ? 1.0 : -1.0);
   }
-  list_valid_ = true;
+  for (const ContactRecord& record : records.walls) keep(slot_of_[record.first], record.second, true, record, 1.0);
 }
 
-void Engine::pack(std::size_t i) {
-  const auto x = particles.position.at(i);
-  place_[i] = {x[0], x[1], x[2], particles.radius[i]};
-  motion_[i] = {load(particles.velocity, i), load(particles.angular_velocity, i), particles.inertia(i), mass_class_[i]};
+// --- a step ----------------------------------------------------------------------------------------------------------
+
+/// Those of the pairs `first` to `last` that touch, written to `touching`, which must have room for one more than
+/// there are; returns their number.
+std::size_t Engine::find_touching(const PairList& list, std::uint32_t first, std::uint32_t last,
+                                  std::uint32_t* touching) const {
+  std::size_t count = 0;
+  const auto find = [&](auto shift) {
+    for (std::uint32_t p = first; p < last; ++p) {
+      const Row &own = place_[list.first[p]], &other = place_[list.second[p]];
+      const Vec3 d = shift(other.vector() - own.vector(), p);
+      const double sum = own.w + other.w;
+      // Written always, kept if it touches: no branch that the processor would have to guess.
+      touching[count] = p;
+      count += dot(d, d) < sum * sum ? 1 : 0;
+    }
+  };
+  if (periodic_)
+    find([&](Vec3 d, std::uint32_t p) { return d + image_shift_[list.image[p]].vector(); });
+  else
+    find([](Vec3 d, std::uint32_t) { return d; });
+  return count;
 }
 
-template <bool Periodic>
-void Engine::compute_pairs(std::size_t first, std::size_t last) {
-  const std::uint32_t* start = list_.start().data();
-  const std::uint32_t* second = list_.second().data();
-  const bool rolling = law_.resists_rolling();
-  const auto classes = static_cast<std::int64_t>(masses_.size());
-  std::vector<std::uint32_t> touching(64);
+/// Computes the contacts `touching` of a list into `rows`, a batch at a time. `second(p)` gives the rows of the second
+/// body of pair p: place, velocity and spin.
+template <bool AtWall, class Rolling, class Law, class Second>
+void Engine::compute(PairList& list, const std::uint32_t* touching, std::size_t count, const Law& law,
+                     ContactRows& rows, Share& share, bool final_step, Second second) const {
+  const CoulombFriction friction{contact_.sliding_friction, spring_phase_};
+  const Rolling rolling(contact_, spring_phase_);
+  const std::uint32_t step = now();
+  ContactBatch& batch = share.batch;
+  rows.resize(count);
+  rows.fresh.clear();
+  for (std::size_t begin = 0; begin < count; begin += ContactBatch::capacity) {
+    const std::size_t size = std::min(ContactBatch::capacity, count - begin);
+    for (std::size_t k = 0; k < size; ++k) {
+      const std::uint32_t p = touching[begin + k];
+      if (list.last_step[p] != step - 1) {
+        if (collect_collisions_ && !AtWall) finish_collision(share, list, p);
+        list.memory[p].set({});
+        if constexpr (Rolling::has_memory) list.rolling_memory[p] = {};
+        list.first_step[p] = step;
+        rows.fresh.push_back(static_cast<std::uint32_t>(begin + k));
+      }
+      list.last_step[p] = step;
+    }
+    for (std::size_t k = 0; k < size; k += 4) {
+      // The last group is filled up by repeating its last contact.
+      std::array<std::uint32_t, 4> p{};
+      for (std::size_t lane = 0; lane < 4; ++lane) p[lane] = touching[begin + std::min(k + lane, size - 1)];
+      const std::array<std::uint32_t, 4> i{list.first[p[0]], list.first[p[1]], list.first[p[2]], list.first[p[3]]};
+      const auto from = [&](const std::vector<Row>& field, std::size_t lane) { return load(field[i[lane]]); };
+      const std::array<SecondBody, 4> j{second(p[0]), second(p[1]), second(p[2]), second(p[3])};
+      const auto memory = [&](const std::vector<Row>& field, std::size_t lane) { return load(field[p[lane]]); };
+      batch.place_i.put(k, from(place_, 0), from(place_, 1), from(place_, 2), from(place_, 3));
+      batch.place_j.put(k, j[0].place, j[1].place, j[2].place, j[3].place);
+      batch.relative_velocity.put(k, from(velocity_, 0) - j[0].velocity, from(velocity_, 1) - j[1].velocity,
+                                  from(velocity_, 2) - j[2].velocity, from(velocity_, 3) - j[3].velocity);
+      batch.spin_i.put(k, from(spin_, 0), from(spin_, 1), from(spin_, 2), from(spin_, 3));
+      batch.spin_j.put(k, j[0].spin, j[1].spin, j[2].spin, j[3].spin);
+      batch.spring.put(k, memory(list.memory, 0), memory(list.memory, 1), memory(list.memory, 2),
+                       memory(list.memory, 3));
+      if constexpr (Rolling::has_memory)
+        batch.rolling_memory.put(k, memory(list.rolling_memory, 0), memory(list.rolling_memory, 1),
+                                 memory(list.rolling_memory, 2), memory(list.rolling_memory, 3));
+    }
+    compute_contacts<AtWall>(batch, (size + 3) / 4 * 4, law, friction, rolling, time_step_);
+    for (std::size_t k = 0; k < size; k += 4) {
+      batch.force.get(k, &rows.force[begin + k]);
+      batch.torque_i.get(k, &rows.torque_i[begin + k]);
+      if constexpr (!AtWall) batch.torque_j.get(k, &rows.torque_j[begin + k]);
+      std::array<Row, 4> memory;
+      batch.spring.get(k, memory.data());
+      for (std::size_t lane = 0; lane < std::min<std::size_t>(4, size - k); ++lane)
+        store(list.memory[touching[begin + k + lane]], load(memory[lane]));
+      if constexpr (Rolling::has_memory) {
+        batch.rolling_memory.get(k, memory.data());
+        for (std::size_t lane = 0; lane < std::min<std::size_t>(4, size - k); ++lane)
+          store(list.rolling_memory[touching[begin + k + lane]], load(memory[lane]));
+      }
+    }
+    for (; !AtWall && rows.told < rows.fresh.size(); ++rows.told) {
+      const std::uint32_t k = rows.fresh[rows.told];
+      list.impact_speed[touching[k]] = batch.torque_j.w[k - begin];
+    }
+    if (!final_step) continue;
+    for (std::size_t k = 0; k < size; ++k) {
+      const std::uint32_t p = touching[begin + k];
+      const double normal = batch.force.w[k];
+      list.normal_force[p] = normal;
+      list.tangential_force[p] = std::sqrt(std::max(0.0, dot(batch.force.at(k), batch.force.at(k)) - normal * normal));
+      const double radius = AtWall ? batch.place_i.w[k] : std::min(batch.place_i.w[k], batch.place_j.w[k]);
+      share.overlap = std::max(share.overlap, batch.torque_i.w[k] / radius);
+    }
+  }
+}
+
+template <class Law, class Rolling>
+void Engine::compute_pairs(PairList& list, const std::uint32_t* touching, std::size_t count, ContactRows& rows,
+                           Share& share, bool final_step) const {
+  const auto second = [&](std::uint32_t p) {
+    const std::uint32_t j = list.second[p];
+    return SecondBody{load(place_[j]), load(velocity_[j]), load(spin_[j])};
+  };
+  const auto second_image = [&](std::uint32_t p) {
+    SecondBody body = second(p);
+    body.place += load(image_shift_[list.image[p]]);
+    return body;
+  };
+  const Law law(contact_);
+  if (periodic_)
+    compute<false, Rolling>(list, touching, count, law, rows, share, final_step, second_image);
+  else
+    compute<false, Rolling>(list, touching, count, law, rows, share, final_step, second);
+}
+
+/// Contacts with the walls: the first terms of the sums.
+template <class Law, class Rolling>
+void Engine::compute_walls(Share& share, bool final_step) {
+  PairList& list = share.wall;
+  std::size_t count = 0;
+  for (std::uint32_t p = 0; p < list.second.size(); ++p) {
+    const Row& own = place_[list.first[p]];
+    const Wall& wall = walls_[list.second[p]];
+    if (wall.clear_of(own.vector(), own.w)) continue;
+    const Wall::Gap gap = wall.gap(own.vector());
+    if (!(gap.distance > 0.0)) fail("has gone through a wall", list.first[p]);
+    if (gap.distance >= own.w) continue;
+    share.foot[p].set(own.vector() + gap.distance * gap.outward);
+    share.touching[count++] = p;
+  }
+  ContactRows& rows = share.rows;
+  compute<true, Rolling>(list, share.touching.data(), count, Law(contact_, true), rows, share, final_step,
+                         [&](std::uint32_t p) {
+                           return SecondBody{load(share.foot[p]), Pack{}, Pack{}};
+                         });
+  for (std::size_t k = 0; k < count; ++k) {
+    const std::size_t i = list.first[share.touching[k]];
+    const Vec3 force = rows.force[k].vector();
+    force_[i].add(force);
+    torque_[i].add(rows.torque_i[k].vector());
+    if (final_step) wall_force_row_[i].add(force);
+    if (i == tracked_slot_) share.tracked_force = share.tracked_force - force;
+  }
+}
+
+template <class Law, class Rolling>
+void Engine::compute_outer(Share& share, bool final_step) {
+  PairList& list = share.outer;
+  share.outer_count =
+      find_touching(list, 0, static_cast<std::uint32_t>(list.second.size()), share.outer_touching.data());
+  share.outer_next = 0;
+  compute_pairs<Law, Rolling>(list, share.outer_touching.data(), share.outer_count, share.outer_rows, share,
+                              final_step);
+}
+
+void Engine::add_to_first(const ContactRows& rows, std::size_t k, std::size_t i) {
+  store(force_[i], load(force_[i]) + load(rows.force[k]));
+  store(torque_[i], load(torque_[i]) + load(rows.torque_i[k]));
+}
+
+void Engine::add_to_second(const ContactRows& rows, std::size_t k, std::size_t j) {
+  store(force_[j], load(force_[j]) - load(rows.force[k]));
+  store(torque_[j], load(torque_[j]) + load(rows.torque_j[k]));
+}
+
+/// Adds what the earlier shares' pairs do to the spheres of this one.
+void Engine::receive(const Share& share) {
+  for (const auto& other : shares_) {
+    if (other.get() == &share) return;
+    for (std::size_t k = 0; k < other->outer_count; ++k) {
+      const std::uint32_t p = other->outer_touching[k], j = other->outer.second[p];
+      if (j < share.first || j >= share.last) continue;
+      add_to_second(other->outer_rows, k, j);
+      if (other->outer.first_step[p] == now()) ++events_[j];
+    }
+  }
+}
+
+template <class Law, class Rolling>
+void Engine::sweep(Share& share, bool final_step) {
+  if (final_step)
+    std::fill(wall_force_row_.begin() + static_cast<std::ptrdiff_t>(share.first),
+              wall_force_row_.begin() + static_cast<std::ptrdiff_t>(share.last), Row{});
+  if (!share.wall.second.empty()) compute_walls<Law, Rolling>(share, final_step);
+  receive(share);
+  share.speed_squared = share.speed_sum = 0.0;
+  PairList& list = share.inner;
+  const ContactRows& rows = share.rows;
+  for (std::size_t first = share.first; first < share.last; first += block_size) {
+    const std::size_t last = std::min(first + block_size, share.last);
+    const std::size_t count =
+        find_touching(list, list.start[first - share.first], list.start[last - share.first], share.touching.data());
+    compute_pairs<Law, Rolling>(list, share.touching.data(), count, share.rows, share, final_step);
+    for (std::size_t k = 0; k < count; ++k) add_to_second(rows, k, list.second[share.touching[k]]);
+    for (std::size_t k = 0; k < count;) {
+      const std::uint32_t i = list.first[share.touching[k]];
+      Pack force = load(force_[i]), torque = load(torque_[i]);
+      do {
+        force += load(rows.force[k]);
+        torque += load(rows.torque_i[k]);
+      } while (++k < count && list.first[share.touching[k]] == i);
+      store(force_[i], force);
+      store(torque_[i], torque);
+    }
+    for (const std::uint32_t k : rows.fresh) {
+      ++events_[list.first[share.touching[k]]];
+      ++events_[list.second[share.touching[k]]];
+    }
+    for (; share.outer_next < share.outer_count; ++share.outer_next) {
+      const std::uint32_t p = share.outer_touching[share.outer_next], i = share.outer.first[p];
+      if (i >= last) break;
+      add_to_first(share.outer_rows, share.outer_next, i);
+      if (share.outer.first_step[p] == now()) ++events_[i];
+    }
+    if (tracked_slot_ >= first && tracked_slot_ < last)
+      share.tracked_force = share.tracked_force + force_[tracked_slot_].vector();
+    (this->*move_)(share, first, last, final_step);
+  }
+}
+
+template <class Integrator>
+void Engine::move(Share& share, std::size_t first, std::size_t last, bool final_step) {
+  double speed_squared = 0.0, speed_sum = 0.0;
   for (std::size_t i = first; i < last; ++i) {
-    const Place here = place_[i];
-    const Motion own = motion_[i];
-    const auto separation = [&](std::uint32_t p) {
-      const Place& there = place_[second[p]];
-      Vec3 d{there.x - here.x, there.y - here.y, there.z - here.z};
-      if constexpr (Periodic) {
-        if (period_[0] > 0.0) d.x -= period_[0] * std::nearbyint(d.x / period_[0]);
-        if (period_[1] > 0.0) d.y -= period_[1] * std::nearbyint(d.y / period_[1]);
-        if (period_[2] > 0.0) d.z -= period_[2] * std::nearbyint(d.z / period_[2]);
-      }
-      return d;
-    };
-    // First sort out who touches, without a branch that the processor would have to guess; then compute those pairs.
-    const std::uint32_t begin = start[i], pairs = start[i + 1] - begin;
-    touching.resize(std::max<std::size_t>(touching.size(), pairs));
-    std::uint32_t contacts = 0;
-    for (std::uint32_t p = begin; p < begin + pairs; ++p) {
-      const Vec3 d = separation(p);
-      const double sum = here.radius + place_[second[p]].radius;
-      const bool touches = dot(d, d) < sum * sum;
-      touching[contacts] = p;
-      contacts += touches ? 1 : 0;
-      if (!touches && pair_state_[p] != 0) {
-        pair_state_[p] = 0;
-        pair_[p].spring = {};
-      }
+    if (final_step) {
+      contact_force_row_[i] = force_[i];
+      contact_force_row_[i].add(-1.0 * wall_force_row_[i].vector());
     }
-    Vec3 force, torque;
-    int events = 0;
-    double largest_overlap = 0.0;
-    for (std::uint32_t c = 0; c < contacts; ++c) {
-      const std::uint32_t p = touching[c], j = second[p];
-      const Place there = place_[j];
-      const Vec3 d = separation(p);
-      const double sum = here.radius + there.radius;
-      const double distance_squared = dot(d, d);
-      const double distance = std::sqrt(distance_squared);
-      const Motion other = motion_[j];
-      ContactState contact;
-      contact.normal = (1.0 / distance) * d;
-      contact.overlap = sum - distance;
-      // The contact plane halves the overlap: the lever arms add up to the distance, which conserves angular momentum.
-      const double arm_i = here.radius - 0.5 * contact.overlap, arm_j = there.radius - 0.5 * contact.overlap;
-      contact.relative_velocity = own.velocity - other.velocity +
-                                  cross(arm_i * own.angular_velocity + arm_j * other.angular_velocity, contact.normal);
-      contact.root_effective_mass =
-          root_effective_mass_[static_cast<std::size_t>(own.mass_class * classes + other.mass_class)];
+    const Body body{place_[i], velocity_[i], spin_[i], integrator_.data() + i * Integrator::rows};
+    const Vec3 constant = constant_[i].vector();
+    const Acceleration contact{velocity_[i].w * force_[i].vector(), spin_[i].w * torque_[i].vector()};
+    Integrator::correct(body, contact, constant, time_step_);
+    const double own = dot(velocity_[i].vector(), velocity_[i].vector());
+    speed_squared = own > speed_squared ? own : speed_squared;
+    speed_sum += own;
+    if (!final_step) Integrator::predict(body, constant, time_step_);
+    force_[i] = {};
+    torque_[i] = {};
+  }
+  share.speed_squared = std::max(share.speed_squared, speed_squared);
+  share.speed_sum += speed_sum;
+}
 
-      PairContact& pair = pair_[p];
-      const ContactForce result = law_(contact, time_step_, pair.spring);
-      pair.force = result.force;
-      const Vec3 lever = cross(contact.normal, result.tangential);
-      Vec3 torque_on_second = arm_j * lever;
-      torque = torque + arm_i * lever;
-      if (rolling) {
-        // Relative angular velocity of Eq. 19.
-        const Vec3 rotation =
-            (1.0 / sum) * (here.radius * own.angular_velocity - there.radius * other.angular_velocity);
-        const double speed = norm(rotation);
-        if (speed > 0.0) {
-          const Vec3 direction = (1.0 / speed) * rotation;
-          torque = torque -
-                   law_.rolling_torque(result.normal, here.radius, own.inertia, speed, steps_per_second_) * direction;
-          torque_on_second =
-              torque_on_second +
-              law_.rolling_torque(result.normal, there.radius, other.inertia, speed, steps_per_second_) * direction;
-        }
-      }
-      pair.torque_on_second = torque_on_second;
-      force = force + result.force;
-      pair_state_[p] = pair_state_[p] == 0 ? 2 : 1;
-      if (pair_state_[p] == 2) ++events;
-      largest_overlap = std::max(largest_overlap, contact.overlap / std::min(here.radius, there.radius));
-    }
-    store(contact_force_, i, force);
-    store(torque_, i, torque);
-    contacts_[i] = static_cast<int>(contacts);
-    contact_events_[i] += events;
-    overlap_[i] = largest_overlap;
+template <class Integrator>
+void Engine::predict(std::size_t first, std::size_t last) {
+  for (std::size_t i = first; i < last; ++i)
+    Integrator::predict({place_[i], velocity_[i], spin_[i], integrator_.data() + i * Integrator::rows},
+                        constant_[i].vector(), time_step_);
+}
+
+void Engine::advance(std::int64_t steps) {
+  if (particles.size() == 0) {
+    steps_ += steps;
+    return;
+  }
+  if (!list_valid_) list_anew({});
+  pack();
+  travel_ = std::numeric_limits<double>::infinity();  // whoever changed positions did so in `particles`
+  tracked_sum_ = {};
+  (this->*predict_)(0, particles.size());
+  for (std::int64_t s = 0; s < steps; ++s) one_step(s + 1 == steps);
+  unpack(steps);
+  mean_tracked_force_ = {};
+  if (tracked_) {
+    const Vec3 mean = (1.0 / static_cast<double>(steps)) * tracked_sum_;
+    mean_tracked_force_ = {mean.x, mean.y, mean.z};
   }
 }
 
-void Engine::compute_walls(std::size_t first, std::size_t last) {
-  const std::size_t walls = walls_.size();
-  for (std::size_t i = first; i < last; ++i) {
-    Vec3 force, torque = load(torque_, i);
-    const Vec3 x = load(particles.position, i);
-    const double r = particles.radius[i];
-    for (std::size_t w = 0; w < walls; ++w) {
-      if (walls_[w].clear_of(x, r)) {
-        wall_spring_[i * walls + w] = {};
-        continue;
-      }
-      const Wall::Gap gap = walls_[w].gap(x);
-      if (!(gap.distance > 0.0)) fail("has gone through a wall", i);
-      ContactState contact;
-      contact.normal = gap.outward;
-      contact.overlap = r - gap.distance;
-      const double arm = gap.distance;
-      const Vec3 spin = load(particles.angular_velocity, i);
-      contact.relative_velocity = load(particles.velocity, i) + cross(arm * spin, contact.normal);
-      contact.root_effective_mass = std::sqrt(particles.mass[i]);
-      const ContactForce result = law_(contact, time_step_, wall_spring_[i * walls + w]);
-      force = force + result.force;
-      torque = torque + arm * cross(contact.normal, result.tangential);
-      const double speed = norm(spin);
-      if (law_.resists_rolling() && speed > 0.0)
-        torque = torque -
-                 (law_.rolling_torque(result.normal, r, particles.inertia(i), speed, steps_per_second_) / speed) * spin;
-      overlap_[i] = std::max(overlap_[i], contact.overlap / r);
-    }
-    store(wall_force_, i, force);
-    store(torque_, i, torque);
+void Engine::one_step(bool final_step) {
+  if (travel_ > margin_) {
+    // The bound adds the fastest sphere of each step; what has really been covered is less.
+    const double covered = largest_displacement();
+    travel_ = 0.0;
+    margin_ = usable_skin * skin_ - covered;
+    if (!(margin_ > 0.1 * skin_)) rebuild();
+  } else if (steps_ - list_step_ >= longest_list_life) {
+    rebuild();
   }
-}
+  tracked_slot_ = tracked_ ? slot_of_[*tracked_] : std::numeric_limits<std::size_t>::max();
 
-void Engine::gather_and_move(std::size_t first, std::size_t last, double& displacement_squared) {
-  const auto& reverse_start = list_.reverse_start();
-  const std::uint32_t* reverse = list_.reverse_pair().data();
-  const VectorField& origin = list_.origin();
-  for (std::size_t i = first; i < last; ++i) {
-    Vec3 force = load(contact_force_, i), torque = load(torque_, i);
-    for (std::uint32_t r = reverse_start[i]; r < reverse_start[i + 1]; ++r) {
-      const std::uint32_t p = reverse[r];
-      if (pair_state_[p] == 0) continue;
-      force = force - pair_[p].force;
-      torque = torque + pair_[p].torque_on_second;
-      ++contacts_[i];
-      if (pair_state_[p] == 2) ++contact_events_[i];
-    }
-    store(contact_force_, i, force);
-    const Vec3 wall = load(wall_force_, i);
-    mean_contact_.x[i] += force.x;
-    mean_contact_.y[i] += force.y;
-    mean_contact_.z[i] += force.z;
-    mean_wall_.x[i] += wall.x;
-    mean_wall_.y[i] += wall.y;
-    mean_wall_.z[i] += wall.z;
-
-    const Vec3 total = force + wall + load(external_force, i);
-    const Vec3 velocity = load(particles.velocity, i) + (time_step_ / particles.mass[i]) * total;
-    const Vec3 spin = load(particles.angular_velocity, i) + (time_step_ / particles.inertia(i)) * torque;
-    const Vec3 position = load(particles.position, i) + time_step_ * velocity;
-    store(particles.velocity, i, velocity);
-    store(particles.angular_velocity, i, spin);
-    store(particles.position, i, position);
-    const Vec3 moved = position - load(origin, i);
-    const double moved_squared = dot(moved, moved);
-    if (!(moved_squared < 1.0)) fail("has no finite position any more", i);
-    displacement_squared = std::max(displacement_squared, moved_squared);
-  }
-}
-
-void Engine::step() {
-  if (!list_valid_) rebuild({});
-  // Whoever set a velocity or a position since the last step did so in `particles`.
-  for (std::size_t i = 0; i < particles.size(); ++i) pack(i);
-  const bool periodic = period_[0] > 0.0 || period_[1] > 0.0 || period_[2] > 0.0;
-  const std::size_t n = particles.size();
-  double displacement_squared = 0.0;
-  // An exception must not leave a parallel region: keep the first and throw it afterwards.
-  std::vector<std::string> failure(static_cast<std::size_t>(threads_));
-#pragma omp parallel num_threads(threads_) reduction(max : displacement_squared)
-  {
-#pragma omp for schedule(static, 1)
-    for (int t = 0; t < threads_; ++t) {
-      const auto [first, last] = share(n, t, threads_);
+  const auto for_shares = [&](auto work) {
+#pragma omp parallel for num_threads(threads_) schedule(static, 1)
+    for (std::size_t t = 0; t < shares_.size(); ++t) {
+      // An exception must not leave a parallel region.
       try {
-        if (periodic)
-          compute_pairs<true>(first, last);
-        else
-          compute_pairs<false>(first, last);
-        compute_walls(first, last);
+        work(*shares_[t]);
       } catch (const EngineError& error) {
-        failure[static_cast<std::size_t>(t)] = error.what();
+        shares_[t]->failure = error.what();
       }
     }
-#pragma omp for schedule(static, 1)
-    for (int t = 0; t < threads_; ++t) {
-      const auto [first, last] = share(n, t, threads_);
-      try {
-        gather_and_move(first, last, displacement_squared);
-      } catch (const EngineError& error) {
-        failure[static_cast<std::size_t>(t)] = error.what();
-      }
-    }
+  };
+  for (auto& share : shares_) share->overlap = 0.0;
+  if (threads_ > 1) for_shares([&](Share& share) { (this->*compute_outer_)(share, final_step); });
+  for_shares([&](Share& share) { (this->*sweep_)(share, final_step); });
+
+  double speed_squared = 0.0, speed_sum = 0.0;
+  maximum_overlap_ = 0.0;
+  for (auto& share : shares_) {
+    if (!share->failure.empty()) throw EngineError(std::exchange(share->failure, {}));
+    speed_squared = std::max(speed_squared, share->speed_squared);
+    speed_sum += share->speed_sum;
+    maximum_overlap_ = std::max(maximum_overlap_, share->overlap);
+    tracked_sum_ = tracked_sum_ + std::exchange(share->tracked_force, {});
   }
-  for (const auto& message : failure)
-    if (!message.empty()) throw EngineError(message);
-  maximum_overlap_ = overlap_.empty() ? 0.0 : *std::max_element(overlap_.begin(), overlap_.end());
-  ++averaged_steps_;
+  if (!std::isfinite(speed_sum))
+    for (std::size_t s = 0; s < velocity_.size(); ++s)
+      if (!std::isfinite(dot(velocity_[s].vector(), velocity_[s].vector()))) fail("has no finite velocity any more", s);
+  travel_ += time_step_ * std::sqrt(speed_squared);
   ++steps_;
-  if (list_.outdated(displacement_squared)) {
-    if (periodic) {
-      const auto wrap = [](std::vector<double>& coordinate, double period) {
-        if (period <= 0.0) return;
-        for (double& value : coordinate) value -= period * std::nearbyint(value / period);
-      };
-      wrap(particles.position.x, period_[0]);
-      wrap(particles.position.y, period_[1]);
-      wrap(particles.position.z, period_[2]);
-    }
-    rebuild(contact_records());
-  }
 }
 
-void Engine::fail(const char* what, std::size_t i) const {
+void Engine::fail(const char* what, std::size_t slot) const {
+  const Row &x = place_[slot], &v = velocity_[slot];
   throw EngineError(fmt::format(
       "sphere {} {} at step {} (t = {:.6g} s of motion): centre ({:.6g}, {:.6g}, {:.6g}) m, velocity ({:.4g}, {:.4g}, "
-      "{:.4g}) m/s; a smaller contact.time_step or a larger contact.stiffness may be needed",
-      i, what, steps_, static_cast<double>(steps_) * time_step_, particles.position.x[i], particles.position.y[i],
-      particles.position.z[i], particles.velocity.x[i], particles.velocity.y[i], particles.velocity.z[i]));
+      "{:.4g}) m/s; a smaller contact.time_step or a larger stiffness may be needed",
+      order_[slot], what, steps_, static_cast<double>(steps_) * time_step_, x.x, x.y, x.z, v.x, v.y, v.z));
 }
 
-void Engine::reset_mean_forces() {
-  mean_contact_.set_zero();
-  mean_wall_.set_zero();
-  averaged_steps_ = 0;
-}
-
-std::array<double, 3> Engine::mean_contact_force(std::size_t i) const {
-  const double inverse = averaged_steps_ > 0 ? 1.0 / static_cast<double>(averaged_steps_) : 0.0;
-  return {mean_contact_.x[i] * inverse, mean_contact_.y[i] * inverse, mean_contact_.z[i] * inverse};
-}
-
-std::array<double, 3> Engine::mean_wall_force(std::size_t i) const {
-  const double inverse = averaged_steps_ > 0 ? 1.0 / static_cast<double>(averaged_steps_) : 0.0;
-  return {mean_wall_.x[i] * inverse, mean_wall_.y[i] * inverse, mean_wall_.z[i] * inverse};
-}
+// --- what others ask for ---------------------------------------------------------------------------------------------
 
 bool Engine::touches_wall(std::size_t i, std::size_t wall) const {
   return walls_[wall].gap(load(particles.position, i)).distance < particles.radius[i];
 }
 
+std::size_t Engine::listed_pairs() const {
+  std::size_t pairs = 0;
+  for (const auto& share : shares_) pairs += share->inner.second.size() + share->outer.second.size();
+  return pairs;
+}
+
+std::vector<Engine::TouchingPair> Engine::touching_pairs() const {
+  std::vector<TouchingPair> pairs;
+  for_contacts([&](std::size_t i, std::uint32_t j, const PairList& list, std::uint32_t p, bool at_wall) {
+    pairs.push_back({order_[i], at_wall ? j : order_[j], at_wall, list.normal_force[p], list.tangential_force[p]});
+  });
+  return pairs;
+}
+
+double Engine::network_frequency_squared() const {
+  std::vector<double> sum(place_.size(), 0.0);
+  for_contacts([&](std::size_t i, std::uint32_t j, const PairList& list, std::uint32_t p, bool at_wall) {
+    const Row& own = place_[i];
+    if (at_wall) {
+      sum[i] += stiffness_(contact_, own.w - walls_[j].gap(own.vector()).distance, own.w);
+      return;
+    }
+    const Vec3 d = place_[j].vector() + image_shift_[list.image[p]].vector() - own.vector();
+    const double radius = own.w * place_[j].w / (own.w + place_[j].w);
+    const double stiffness = stiffness_(contact_, std::max(0.0, own.w + place_[j].w - norm(d)), radius);
+    sum[i] += stiffness;
+    sum[j] += stiffness;
+  });
+  double largest = 0.0;
+  for (std::size_t s = 0; s < sum.size(); ++s) largest = std::max(largest, 2.0 * sum[s] * velocity_[s].w);
+  return largest;
+}
+
+/// Keeps the newest contact of a pair, which has ended, unless that is done.
+void Engine::finish_collision(Share& share, PairList& list, std::uint32_t p) const {
+  if (list.impact_speed[p] < 0.0) return;
+  const std::uint32_t a = order_[list.first[p]], b = order_[list.second[p]];
+  const auto ago = static_cast<std::uint32_t>(steps_) - list.last_step[p];
+  share.collisions.push_back({std::min(a, b), std::max(a, b), steps_ - static_cast<std::int64_t>(ago),
+                              list.last_step[p] - list.first_step[p] + 1, list.impact_speed[p]});
+  list.impact_speed[p] = -1.0;
+}
+
+void Engine::finish_collisions(Share& share) const {
+  if (!collect_collisions_ || !list_valid_) return;
+  for (PairList* list : {&share.inner, &share.outer})
+    for (std::uint32_t p = 0; p < list->second.size(); ++p)
+      if (list->last_step[p] != static_cast<std::uint32_t>(steps_)) finish_collision(share, *list, p);
+}
+
+void Engine::collect_collisions(bool on) {
+  take_collisions();
+  collect_collisions_ = on;
+}
+
+std::vector<Collision> Engine::take_collisions() {
+  std::vector<Collision> all;
+  for (auto& share : shares_) {
+    finish_collisions(*share);
+    all.insert(all.end(), share->collisions.begin(), share->collisions.end());
+    share->collisions.clear();
+  }
+  std::sort(all.begin(), all.end(), [](const Collision& a, const Collision& b) {
+    return std::tuple(a.end_step, a.first, a.second) < std::tuple(b.end_step, b.first, b.second);
+  });
+  return all;
+}
+
+// --- checkpoints -----------------------------------------------------------------------------------------------------
+
 Engine::Memory Engine::memory() const {
   Memory memory;
-  memory.contacts = contact_records();
-  memory.wall_springs.reserve(3 * wall_spring_.size());
-  for (const Vec3& spring : wall_spring_)
-    memory.wall_springs.insert(memory.wall_springs.end(), {spring.x, spring.y, spring.z});
+  Records records = contact_records();
+  memory.contacts = std::move(records.spheres);
+  memory.wall_contacts = std::move(records.walls);
   memory.contact_events = contact_events_;
-  memory.mean_contact = mean_contact_;
-  memory.mean_wall = mean_wall_;
-  memory.averaged_steps = averaged_steps_;
+  memory.mean_solid_force = mean_solid_force_;
+  memory.list_position.resize(origin_.size());
+  for (std::size_t s = 0; s < origin_.size(); ++s) store(memory.list_position, order_[s], origin_[s].vector());
+  memory.skin = skin_;
+  memory.list_step = list_step_;
   memory.steps = steps_;
+  for (std::size_t i = 0; i < slot_of_.size(); ++i)
+    for (std::size_t k = 0; k < integrator_rows_; ++k) {
+      const Row& row = integrator_[slot_of_[i] * integrator_rows_ + k];
+      memory.integrator.insert(memory.integrator.end(), {row.x, row.y, row.z});
+    }
   return memory;
 }
 
 void Engine::restore(Particles state, const Memory& memory) {
+  list_valid_ = false;
   particles = std::move(state);
-  mass_class_.clear();
   resize_particle_arrays();
-  for (std::size_t s = 0; s < wall_spring_.size(); ++s)
-    wall_spring_[s] = {memory.wall_springs[3 * s], memory.wall_springs[3 * s + 1], memory.wall_springs[3 * s + 2]};
   contact_events_ = memory.contact_events;
-  mean_contact_ = memory.mean_contact;
-  mean_wall_ = memory.mean_wall;
-  averaged_steps_ = memory.averaged_steps;
+  mean_solid_force_ = memory.mean_solid_force;
   steps_ = memory.steps;
-  rebuild(memory.contacts);
+  if (memory.list_position.x.size() != particles.size()) return;  // nothing had moved yet
+  for (std::size_t k = 0; k < integrator_.size(); ++k)
+    integrator_[k].set({memory.integrator[3 * k], memory.integrator[3 * k + 1], memory.integrator[3 * k + 2]});
+  // The order of all sums comes from the positions at which the list was built.
+  const VectorField now_at = std::exchange(particles.position, memory.list_position);
+  list_anew({memory.contacts, memory.wall_contacts}, memory.skin);
+  particles.position = now_at;
+  list_step_ = memory.list_step;
 }
 
 }  // namespace slfb::dem

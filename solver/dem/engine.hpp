@@ -2,11 +2,15 @@
 
 #include <array>
 #include <cstdint>
+#include <memory>
+#include <optional>
 #include <stdexcept>
 #include <vector>
 
-#include "solver/dem/linear_spring_dashpot.hpp"
-#include "solver/dem/neighbour_list.hpp"
+#include "solver/dem/cell_search.hpp"
+#include "solver/dem/collision_statistics.hpp"
+#include "solver/dem/contact_batch.hpp"
+#include "solver/dem/integrators.hpp"
 #include "solver/dem/particles.hpp"
 #include "solver/dem/walls.hpp"
 
@@ -17,39 +21,52 @@ struct EngineError : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// A pair in contact and its tangential spring: what must be kept over a rebuilt list or a checkpoint.
+/// A contact and what it remembers: all that must be kept over a rebuilt list or a checkpoint.
 struct ContactRecord {
-  std::uint32_t first, second;
-  Vec3 spring;
+  std::uint32_t first, second;  ///< spheres; at a wall the sphere and the number of the wall
+  Vec3 spring;                  ///< tangential, as the first sphere sees it [m]
+  Vec3 rolling_memory;          ///< of the elastic-plastic rolling resistance, on the first sphere [N m]
+  std::uint32_t first_step;     ///< number of the step (modulo 2^32) in which the contact began
+  double impact_speed;          ///< normal approach speed in that step [m/s]
 };
 
-/// Soft-sphere discrete element method (Peng 2014, Eqs. 16-19) with symplectic Euler steps.
+/// Soft-sphere discrete element method (Peng 2014, Eqs. 16-19).
 ///
-/// Pairs are computed once; each sphere then gathers its forces in a fixed order, so that the result is bitwise the
-/// same at any number of threads.
+/// Each step is one sweep over the spheres in the order of a cell grid. For a block of spheres: find the touching pairs
+/// i < j, compute them a few at a time in vector registers, add each force to i and j, then move the block, whose
+/// forces are complete: no later pair needs its positions. Threads own contiguous shares of that order; pairs that
+/// reach into a later share are computed before all else and added there first, in the place that they have in a
+/// single sweep. So every sum has the same order at any number of threads, and because the order comes from positions
+/// alone, however the spheres are numbered.
 class Engine {
  public:
-  /// `period`: see NeighbourList::build.
+  /// `period`: extent of a periodic box around the origin in x, y and z, 0 where the domain is not periodic [m].
   Engine(const Contact& contact, std::vector<Wall> walls, std::array<double, 3> period, int threads);
+  ~Engine();
+  Engine(Engine&&) noexcept;
+  Engine& operator=(Engine&&) = delete;
 
-  Particles particles;
-  VectorField external_force;  ///< on each sphere, constant over a step [N]; sized by add_particle
+  Particles particles;         ///< may be changed between calls of advance(); masses and radii only before the first
+  VectorField external_force;  ///< on each sphere, constant over a call of advance() [N]; sized by add_particle
 
   std::size_t add_particle(const std::array<double, 3>& centre, double radius, double density, int species);
   void remove_particle(std::size_t i);
 
-  /// Advances all spheres by one time step of the scene.
-  void step();
+  /// Advances all spheres by `steps` time steps of the scene.
+  void advance(std::int64_t steps);
+  void step() { advance(1); }
 
-  /// Starts a new averaging interval for the mean forces.
-  void reset_mean_forces();
-  /// Mean force of the other spheres on i since reset_mean_forces [N].
-  [[nodiscard]] std::array<double, 3> mean_contact_force(std::size_t i) const;
-  /// Mean force of the walls on i since reset_mean_forces [N].
-  [[nodiscard]] std::array<double, 3> mean_wall_force(std::size_t i) const;
+  /// Mean force of the other spheres and the walls on i over the last advance(), from the change of its momentum [N].
+  [[nodiscard]] std::array<double, 3> mean_solid_force(std::size_t i) const { return mean_solid_force_.at(i); }
+  /// Follows one sphere: mean_contact_force_of_tracked() is then kept.
+  void track(std::optional<std::size_t> i) { tracked_ = i; }
+  /// Mean force of the other spheres on the tracked one over the last advance() [N].
+  [[nodiscard]] std::array<double, 3> mean_contact_force_of_tracked() const { return mean_tracked_force_; }
 
   /// Force of the other spheres on i at the last step [N].
   [[nodiscard]] std::array<double, 3> contact_force(std::size_t i) const { return contact_force_.at(i); }
+  /// Force of the walls on i at the last step [N].
+  [[nodiscard]] std::array<double, 3> wall_force(std::size_t i) const { return wall_force_.at(i); }
   /// Spheres in contact with i at the last step [-].
   [[nodiscard]] int contacts(std::size_t i) const { return contacts_[i]; }
   /// New contacts of i with other spheres since it was added [-].
@@ -58,72 +75,147 @@ class Engine {
   [[nodiscard]] bool touches_wall(std::size_t i, std::size_t wall) const;
   /// Largest overlap over the smaller radius at the last step [-].
   [[nodiscard]] double maximum_overlap() const { return maximum_overlap_; }
+
+  /// All contacts of the last step.
+  struct TouchingPair {
+    std::uint32_t first, second;  ///< spheres; at a wall the sphere and the number of the wall
+    bool at_wall;
+    double normal_force;      ///< compressive positive [N]
+    double tangential_force;  ///< magnitude [N]
+  };
+  [[nodiscard]] std::vector<TouchingPair> touching_pairs() const;
+  /// From now on each finished collision between spheres is kept until take_collisions().
+  void collect_collisions(bool on);
+  /// Finished collisions since the last call, in the order of their ends.
+  std::vector<Collision> take_collisions();
+
+  /// Upper bound 2 Σ_j k_ij/m_i over all spheres i of the squared frequencies of the contact network at the last step
+  /// (Gershgorin; springs of the normals) [1/s²]. Explicit steps are stable below Δt = 2/ω without damping.
+  [[nodiscard]] double network_frequency_squared() const;
+
   [[nodiscard]] std::int64_t steps() const { return steps_; }
   [[nodiscard]] double time_step() const { return time_step_; }
   [[nodiscard]] int threads() const { return threads_; }
+  /// How often the neighbour list was built, and its pairs: what tuning looks at.
+  [[nodiscard]] std::int64_t list_builds() const { return list_builds_; }
+  [[nodiscard]] std::size_t listed_pairs() const;
 
   /// Everything beyond the particles that the next step depends on, for checkpoints.
   struct Memory {
-    std::vector<ContactRecord> contacts;
-    std::vector<double> wall_springs;  ///< three components per sphere and wall
+    std::vector<ContactRecord> contacts, wall_contacts;
     std::vector<std::int64_t> contact_events;
-    VectorField mean_contact, mean_wall;  ///< running sums of the current averaging interval
-    std::int64_t averaged_steps = 0, steps = 0;
+    VectorField mean_solid_force;
+    VectorField list_position;  ///< positions when the neighbour list was built
+    double skin = 0.0;          ///< of that list [m]
+    std::int64_t list_step = 0, steps = 0;
+    std::vector<double> integrator;  ///< rows of the integrator, sphere by sphere
   };
   [[nodiscard]] Memory memory() const;
   void restore(Particles state, const Memory& memory);
 
  private:
-  template <bool Periodic>
-  void compute_pairs(std::size_t first, std::size_t last);
-  void compute_walls(std::size_t first, std::size_t last);
-  void gather_and_move(std::size_t first, std::size_t last, double& displacement_squared);
-  void rebuild(const std::vector<ContactRecord>& contacts);
-  [[nodiscard]] std::vector<ContactRecord> contact_records() const;
-  void resize_particle_arrays();
-  [[noreturn]] void fail(const char* what, std::size_t i) const;
+  struct Share;
+  struct PairList;
+  struct ContactRows;
+  struct SecondBody;
+  struct Records {
+    std::vector<ContactRecord> spheres, walls;
+  };
 
-  LinearSpringDashpot law_;
+  void resize_particle_arrays();
+  void number_order();
+  void pack();
+  void unpack(std::int64_t steps);
+
+  [[nodiscard]] double largest_displacement() const;
+  [[nodiscard]] double choose_skin() const;
+  void list_anew(const Records& records, std::optional<double> skin = {});
+  void list_pairs(double skin);
+  void rebuild();
+  [[nodiscard]] Records contact_records() const;
+  void remember(const Records& records);
+
+  void one_step(bool final_step);
+  std::size_t find_touching(const PairList& list, std::uint32_t first, std::uint32_t last,
+                            std::uint32_t* touching) const;
+  template <bool AtWall, class Rolling, class Law, class Second>
+  void compute(PairList& list, const std::uint32_t* touching, std::size_t count, const Law& law, ContactRows& rows,
+               Share& share, bool final_step, Second second) const;
+  template <class Law, class Rolling>
+  void compute_pairs(PairList& list, const std::uint32_t* touching, std::size_t count, ContactRows& rows, Share& share,
+                     bool final_step) const;
+  template <class Law, class Rolling>
+  void compute_walls(Share& share, bool final_step);
+  template <class Law, class Rolling>
+  void compute_outer(Share& share, bool final_step);
+  void add_to_first(const ContactRows& rows, std::size_t k, std::size_t i);
+  void add_to_second(const ContactRows& rows, std::size_t k, std::size_t j);
+  void receive(const Share& share);
+  template <class Law, class Rolling>
+  void sweep(Share& share, bool final_step);
+  template <class Integrator>
+  void move(Share& share, std::size_t first, std::size_t last, bool final_step);
+  template <class Integrator>
+  void predict(std::size_t first, std::size_t last);
+  template <class Law>
+  void choose_rolling();
+  template <class Integrator>
+  void choose_integrator();
+  [[noreturn]] void fail(const char* what, std::size_t slot) const;
+  [[nodiscard]] std::uint32_t now() const { return static_cast<std::uint32_t>(steps_ + 1); }
+
+  template <class Visit>
+  void for_contacts(Visit visit) const;
+  void finish_collision(Share& share, PairList& list, std::uint32_t p) const;
+  void finish_collisions(Share& share) const;
+
+  Contact contact_;
   std::vector<Wall> walls_;
   std::array<double, 3> period_;
-  double time_step_, steps_per_second_;
+  double time_step_;
   int threads_;
+  bool periodic_;
+  // The instances of the templates that this scene's contact law and integrator need.
+  void (Engine::*sweep_)(Share&, bool) = nullptr;
+  void (Engine::*compute_outer_)(Share&, bool) = nullptr;
+  void (Engine::*move_)(Share&, std::size_t, std::size_t, bool) = nullptr;
+  void (Engine::*predict_)(std::size_t, std::size_t) = nullptr;
+  double (*stiffness_)(const Contact&, double overlap, double effective_radius) = nullptr;
+  double spring_phase_ = 1.0;
 
-  NeighbourList list_;
+  // By slot: spheres in the order of the cell grid.
+  CellSearch search_;
+  std::vector<std::uint32_t> order_, slot_of_;  ///< number of the sphere in a slot, and back
+  std::vector<Row> place_;                      ///< centre; radius
+  std::vector<Row> velocity_, spin_;            ///< w: 1/m, 1/I
+  std::vector<Row> force_, torque_;             ///< of contacts with other spheres, zero between steps
+  std::vector<Row> wall_force_row_;             ///< of walls at the last step
+  std::vector<Row> contact_force_row_;          ///< of other spheres at the last step
+  std::vector<Row> constant_;                   ///< acceleration by the external force
+  std::vector<Row> origin_;                     ///< centres when the list was built
+  std::vector<Row> integrator_;
+  std::vector<std::int64_t> events_;
+  std::size_t integrator_rows_ = 0;
+  std::vector<Row> row_scratch_;
+  std::vector<std::uint32_t> number_scratch_;
+  std::vector<std::int64_t> count_scratch_;
+  std::array<Row, 27> image_shift_{};
+  std::vector<std::unique_ptr<Share>> shares_;
   bool list_valid_ = false;
-  // One entry per pair of the list.
-  std::vector<std::uint8_t> pair_state_;  ///< 0 apart, 1 in contact, 2 in contact since this step
-  struct PairContact {
-    Vec3 spring;            ///< tangential displacement ξ [m]
-    Vec3 force;             ///< on the first sphere [N]
-    Vec3 torque_on_second;  ///< [N m]
-  };
-  std::vector<PairContact> pair_;  ///< kept together: a contact touches two cache lines, not nine
-  // What a pair needs of its second sphere, packed so that a random access touches one cache line each.
-  struct alignas(32) Place {
-    double x, y, z, radius;
-  };
-  struct alignas(64) Motion {
-    Vec3 velocity, angular_velocity;
-    double inertia;
-    std::int64_t mass_class;  ///< index into masses_
-  };
-  void pack(std::size_t i);
-  std::int64_t mass_class(double mass);
-  std::vector<double> masses_;               ///< the distinct masses
-  std::vector<double> root_effective_mass_;  ///< √(m_i m_j/(m_i + m_j)) for each pair of classes
-  std::vector<std::int64_t> mass_class_;     ///< per sphere
-  std::vector<Place> place_;
-  std::vector<Motion> motion_;
-  // One entry per sphere.
-  VectorField contact_force_, wall_force_, torque_;
+  double skin_ = 0.0;
+  double travel_ = 0.0, margin_ = 0.0;  ///< bound of the largest displacement since it was last measured, and its limit
+  std::int64_t list_step_ = 0, list_builds_ = 0, steps_ = 0;
+
+  // By number of the sphere.
+  VectorField mean_solid_force_, contact_force_, wall_force_;
   std::vector<int> contacts_;
   std::vector<std::int64_t> contact_events_;
-  VectorField mean_contact_, mean_wall_;
-  std::vector<Vec3> wall_spring_;  ///< index sphere * walls + wall
-  std::vector<double> overlap_;    ///< largest overlap over radius, per sphere
+  std::optional<std::size_t> tracked_;
+  std::size_t tracked_slot_ = 0;
+  Vec3 tracked_sum_;
+  std::array<double, 3> mean_tracked_force_{};
   double maximum_overlap_ = 0.0;
-  std::int64_t averaged_steps_ = 0, steps_ = 0;
+  bool collect_collisions_ = false;
 };
 
 }  // namespace slfb::dem

@@ -50,16 +50,30 @@ struct Species {
   std::int64_t count = 0;  ///< bed particles at the start; 0 for a species that is only dropped
 };
 
-/// Linear spring-dashpot contact, the same for all pairs and walls (Peng 2014, Table 1).
+enum class ContactLaw { linear, hertz };
+enum class RollingModel { constant_torque, elastic_plastic };
+enum class RollingRadius { own, reduced };
+enum class Integrator { symplectic_euler, velocity_verlet, position_verlet, gear };
+
+/// Soft-sphere contact, the same for all pairs and walls (Peng 2014, Table 1).
 struct Contact {
-  double stiffness = 0.0;                         ///< k_n [N/m]
-  double restitution = 0.9;                       ///< e [-]
-  double sliding_friction = 0.3;                  ///< μ [-]
-  double rolling_friction = 0.0;                  ///< μ_rol of the directional torque, Eq. 18 [-]
-  double tangential_stiffness_ratio = 2.0 / 7.0;  ///< k_t / k_n [-]; the paper does not say
-  double tangential_damping_ratio = 0.5;  ///< tangential over normal damping coefficient [-]; the paper does not say
-  double time_step = 0.0;                 ///< [s]
-  bool allow_large_time_step = false;     ///< accept a step above 1/ω_0 of the stiffest pair
+  ContactLaw law = ContactLaw::linear;
+  double stiffness = 0.0;         ///< linear: k_n [N/m]
+  double youngs_modulus = 0.0;    ///< hertz: E [Pa]
+  double poisson_ratio = 0.25;    ///< hertz: ν [-]
+  bool rigid_walls = false;       ///< hertz: walls do not deform
+  double restitution = 0.9;       ///< e [-]
+  bool cut_tension = false;       ///< no pull just before spheres part; raises the restitution above e
+  double sliding_friction = 0.3;  ///< μ [-]
+  double rolling_friction = 0.0;  ///< μ_rol of Eq. 18 [-]
+  RollingModel rolling_model = RollingModel::constant_torque;
+  RollingRadius rolling_radius = RollingRadius::own;  ///< constant torque: whose radius is its lever arm
+  double rolling_damping_ratio = 0.3;                 ///< elastic-plastic: η_r (Ai et al. 2011) [-]
+  double tangential_stiffness_ratio = 2.0 / 7.0;      ///< linear: k_t / k_n [-]; the paper does not say
+  double tangential_damping_ratio = 0.5;  ///< linear: tangential over normal damping [-]; the paper does not say
+  Integrator integrator = Integrator::symplectic_euler;
+  double time_step = 0.0;              ///< [s]
+  bool allow_large_time_step = false;  ///< accept a step above 1/ω_0 of the stiffest pair
 };
 
 struct Coupling {
@@ -106,6 +120,6 @@ struct Scene {
 inline constexpr double gravity = 9.81;  ///< [m/s²], as in every number of the paper
 
 /// Raised by hand when a change of the solver changes results; part of each run's name.
-inline constexpr int numerics_version = 1;
+inline constexpr int numerics_version = 2;
 
 }  // namespace slfb

@@ -9,6 +9,7 @@
 #include <stdexcept>
 
 #include "correlations/drag/drag_laws.hpp"
+#include "solver/dem/hertz_mindlin.hpp"
 #include "solver/scene/scene_description.hpp"
 #include "solver/scene/scene_file.hpp"
 
@@ -227,9 +228,9 @@ class PhysicsCheck {
     const auto& contact = scene_.contact;
     if (contact.allow_large_time_step || contact.time_step <= bound) return;
     problem("contact.time_step", with_unit(contact.time_step, units::time),
-            "is above the bound 1/ω_0 = sqrt(m_eff/k_n) = {} s of the lightest pair; allowed is at most that, a softer "
-            "contact.stiffness, or contact.allow_large_time_step = true",
-            rounded(bound));
+            "is above the bound 1/ω_0 = sqrt(m_eff/k_n) = {} s of the stiffest pair; allowed is at most that, a softer "
+            "contact.{}, or contact.allow_large_time_step = true",
+            rounded(bound), contact.law == ContactLaw::linear ? "stiffness" : "youngs_modulus");
   }
 
   void check_coupling() {
@@ -331,27 +332,40 @@ void check_scene(const Scene& scene, Problems& problems) {
 
 namespace slfb {
 
+namespace {
+
+/// Stiffness of a pair; for Hertz its tangent at an overlap of a hundredth of the effective radius [N/m].
+double contact_stiffness(const Contact& contact, double effective_radius) {
+  if (contact.law == ContactLaw::linear) return contact.stiffness;
+  return dem::HertzMindlin(contact)(0.01 * effective_radius, 0.0, 0.0, effective_radius).stiffness;
+}
+
+}  // namespace
+
 double contact_time_step_bound(const Scene& scene) {
   const auto is_dropped = [&](const Species& species) {
     return std::ranges::any_of(scene.stages, [&](const Stage& stage) {
       return stage.kind == StageKind::drop && stage.species == species.name;
     });
   };
-  double lightest = std::numeric_limits<double>::infinity();
+  double bound = std::numeric_limits<double>::infinity();
+  const auto pair_of = [&](double effective_mass, double effective_radius) {
+    bound = std::min(bound, std::sqrt(effective_mass / contact_stiffness(scene.contact, effective_radius)));
+  };
   for (const Species& a : scene.species) {
-    const double mass = description::sphere_mass(a);
+    const double mass = description::sphere_mass(a), radius = 0.5 * a.diameter;
     const std::int64_t present = a.count + (is_dropped(a) ? 1 : 0);
-    if (present >= 1) lightest = std::min(lightest, mass);  // against a wall
-    if (present >= 2) lightest = std::min(lightest, mass / 2.0);
+    if (present >= 1) pair_of(mass, radius);  // against a wall
+    if (present >= 2) pair_of(mass / 2.0, radius / 2.0);
     if (present == 0) continue;
     for (const Species& b : scene.species) {
       // Dropped spheres are in the column one at a time, so at least one of a pair is of the bed.
       if (&a == &b || a.count == 0 || (b.count == 0 && !is_dropped(b))) continue;
-      const double other = description::sphere_mass(b);
-      lightest = std::min(lightest, mass * other / (mass + other));
+      const double other = description::sphere_mass(b), other_radius = 0.5 * b.diameter;
+      pair_of(mass * other / (mass + other), radius * other_radius / (radius + other_radius));
     }
   }
-  return std::sqrt(lightest / scene.contact.stiffness);
+  return bound;
 }
 
 }  // namespace slfb

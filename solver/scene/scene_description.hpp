@@ -30,6 +30,7 @@ inline constexpr double no_limit = std::numeric_limits<double>::infinity();
 inline constexpr Allowed positive{0.0, false, no_limit, false, "greater than zero"};
 inline constexpr Allowed not_negative{0.0, true, no_limit, false, "zero or greater"};
 inline constexpr Allowed above_zero_to_one{0.0, false, 1.0, true, "greater than 0 and at most 1"};
+inline constexpr Allowed zero_to_half{0.0, true, 0.5, true, "from 0 to 0.5"};
 inline constexpr Allowed between_zero_and_one{0.0, false, 1.0, false, "between 0 and 1"};
 /// Whole numbers: what TOML's signed integers and the arrays behind them hold.
 inline constexpr Allowed one_to_a_million{1.0, true, 1e6, true, "a whole number from 1 to 1000000"};
@@ -64,6 +65,13 @@ inline constexpr std::array tiers{Choice{"quiescent", FluidTier::quiescent},
                                   Choice{"three-dimensional", FluidTier::three_dimensional}};
 inline constexpr std::array walls{Choice{"no-slip", LateralBoundary::no_slip}, Choice{"slip", LateralBoundary::slip},
                                   Choice{"periodic", LateralBoundary::periodic}};
+inline constexpr std::array contact_laws{Choice{"linear", ContactLaw::linear}, Choice{"hertz", ContactLaw::hertz}};
+inline constexpr std::array rolling_models{Choice{"constant-torque", RollingModel::constant_torque},
+                                           Choice{"elastic-plastic", RollingModel::elastic_plastic}};
+inline constexpr std::array rolling_radii{Choice{"own", RollingRadius::own}, Choice{"reduced", RollingRadius::reduced}};
+inline constexpr std::array integrators{
+    Choice{"symplectic-euler", Integrator::symplectic_euler}, Choice{"velocity-verlet", Integrator::velocity_verlet},
+    Choice{"position-verlet", Integrator::position_verlet}, Choice{"gear", Integrator::gear}};
 inline constexpr std::array convections{Choice{"upwind", ConvectionScheme::upwind},
                                         Choice{"quick", ConvectionScheme::quick}};
 inline constexpr std::array pressure_velocities{Choice{"projection", PressureVelocity::projection},
@@ -117,12 +125,28 @@ void describe(Visitor& visitor, Scene& scene) {
   });
   visitor.section("contact", [&] {
     auto& contact = scene.contact;
-    visitor.number("stiffness", contact.stiffness, u::stiffness, positive, required);
+    visitor.choice("law", contact.law, contact_laws, optional);
+    const bool hertz = contact.law == ContactLaw::hertz;
+    constexpr std::string_view of_linear = "it belongs to law = \"linear\"", of_hertz = "it belongs to law = \"hertz\"";
+    visitor.number("stiffness", contact.stiffness, u::stiffness, positive, required_if(!hertz, of_linear));
+    visitor.number("youngs_modulus", contact.youngs_modulus, u::pressure, positive, required_if(hertz, of_hertz));
+    visitor.number("poisson_ratio", contact.poisson_ratio, u::ratio, zero_to_half, optional_if(hertz, of_hertz));
+    visitor.boolean("rigid_walls", contact.rigid_walls, optional_if(hertz, of_hertz));
     visitor.number("restitution", contact.restitution, u::ratio, above_zero_to_one, optional);
+    visitor.boolean("cut_tension", contact.cut_tension, optional);
     visitor.number("sliding_friction", contact.sliding_friction, u::ratio, not_negative, optional);
     visitor.number("rolling_friction", contact.rolling_friction, u::ratio, not_negative, optional);
-    visitor.number("tangential_stiffness_ratio", contact.tangential_stiffness_ratio, u::ratio, not_negative, optional);
-    visitor.number("tangential_damping_ratio", contact.tangential_damping_ratio, u::ratio, not_negative, optional);
+    visitor.choice("rolling_model", contact.rolling_model, rolling_models, optional);
+    const bool plastic = contact.rolling_model == RollingModel::elastic_plastic;
+    visitor.choice("rolling_radius", contact.rolling_radius, rolling_radii,
+                   optional_if(!plastic, "it belongs to rolling_model = \"constant-torque\""));
+    visitor.number("rolling_damping_ratio", contact.rolling_damping_ratio, u::ratio, not_negative,
+                   optional_if(plastic, "it belongs to rolling_model = \"elastic-plastic\""));
+    visitor.number("tangential_stiffness_ratio", contact.tangential_stiffness_ratio, u::ratio, positive,
+                   optional_if(!hertz, of_linear));
+    visitor.number("tangential_damping_ratio", contact.tangential_damping_ratio, u::ratio, not_negative,
+                   optional_if(!hertz, of_linear));
+    visitor.choice("integrator", contact.integrator, integrators, optional);
     visitor.number("time_step", contact.time_step, u::time, positive, required);
     visitor.boolean("allow_large_time_step", contact.allow_large_time_step, optional);
   });

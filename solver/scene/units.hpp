@@ -21,6 +21,7 @@ inline constexpr Dimension density{"a density", "kg/m3", "998.2 kg/m3"};
 inline constexpr Dimension viscosity{"a dynamic viscosity", "Pa s", "1.0 mPa s"};
 inline constexpr Dimension velocity{"a velocity", "m/s", "6 cm/s"};
 inline constexpr Dimension stiffness{"a stiffness", "N/m", "1e4 N/m"};
+inline constexpr Dimension pressure{"a pressure", "Pa", "5e7 Pa"};
 inline constexpr Dimension ratio{"a number without a unit", "1", "0.9"};
 
 /// A text that is not a quantity of the dimension asked for; what() says what is needed, with an example.

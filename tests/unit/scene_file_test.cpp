@@ -212,7 +212,7 @@ INSTANTIATE_TEST_SUITE_P(
                 "a cylinder has no opposite sides"},
         // √(m_eff/k_n) with m_eff = ½ · 2230 · π/6 · 0.005³ = 7.297e-5 kg and 1e4 N/m
         Mistake{"time_step = \"5e-5 s\"", "time_step = \"1e-4 s\"", "contact.time_step", "\"1e-4 s\"",
-                "is above the bound 1/ω_0 = sqrt(m_eff/k_n) = 8.543e-05 s of the lightest pair"},
+                "is above the bound 1/ω_0 = sqrt(m_eff/k_n) = 8.543e-05 s of the stiffest pair"},
         Mistake{"time_step = \"5e-4 s\"", "time_step = \"5.1e-4 s\"", "fluid.time_step", "\"5.1e-4 s\"",
                 "allowed is a whole multiple of contact.time_step = 5e-05 s"},
         Mistake{"time_step = \"5e-4 s\"", "time_step = \"2.5e-5 s\"", "fluid.time_step", "\"2.5e-5 s\"",

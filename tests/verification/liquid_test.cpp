@@ -201,8 +201,7 @@ TEST(Coupling, StaysStableAtStiffDrag) {
   coupling::PhaseCoupling exchange(scene, nullptr, 5e-6);
   for (int k = 0; k < 5; ++k) {
     exchange.advance(engine, scene.fluid.time_step);
-    engine.reset_mean_forces();
-    for (int s = 0; s < 200; ++s) engine.step();
+    engine.advance(200);
   }
   // Stokes: (ρ_p − ρ) g d²/(18 μ) = 6.7e-5 m/s.
   EXPECT_NEAR(engine.particles.velocity.z[0], -(2230 - 998.2) * gravity * 1e-10 / 18e-3, 1e-6);
@@ -218,8 +217,7 @@ TEST(Coupling, SettlesAtTheTerminalVelocity) {
   coupling::PhaseCoupling exchange(scene, nullptr, 0.003);
   for (int k = 0; k < 1500; ++k) {
     exchange.advance(engine, scene.fluid.time_step);
-    engine.reset_mean_forces();
-    for (int s = 0; s < 20; ++s) engine.step();
+    engine.advance(20);
   }
   EXPECT_NEAR(engine.particles.velocity.z[0], -1.1024, 1e-3 * 1.1024);
 }

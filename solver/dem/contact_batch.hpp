@@ -1,0 +1,99 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <type_traits>
+
+#include "solver/dem/coulomb_friction.hpp"
+#include "solver/dem/rolling_resistance.hpp"
+#include "solver/dem/vec3.hpp"
+
+namespace slfb::dem {
+
+/// Some touching pairs, one array per quantity: filled from rows four at a time, computed as many at once as a vector
+/// register holds, and read back as rows. Small enough for the first cache.
+struct ContactBatch {
+  static constexpr std::size_t capacity = 96;
+  using Scalars = std::array<double, capacity>;
+
+  /// Four scalars per contact, usually a vector and what comes with it.
+  struct alignas(64) Vectors {
+    Scalars x, y, z, w;
+    [[nodiscard]] Vec3 at(std::size_t k) const { return {x[k], y[k], z[k]}; }
+    void set(std::size_t k, Vec3 v) { x[k] = v.x, y[k] = v.y, z[k] = v.z; }
+
+    /// Rows k to k + 3, in and out; k is a multiple of four.
+    void put(std::size_t k, Pack a, Pack b, Pack c, Pack d) {
+      transpose(a, b, c, d);
+      store(&x[k], a);
+      store(&y[k], b);
+      store(&z[k], c);
+      store(&w[k], d);
+    }
+    void get(std::size_t k, Row* rows) const {
+      Pack a = load(&x[k]), b = load(&y[k]), c = load(&z[k]), d = load(&w[k]);
+      transpose(a, b, c, d);
+      store(rows[0], a);
+      store(rows[1], b);
+      store(rows[2], c);
+      store(rows[3], d);
+    }
+  };
+
+  // Input; j is the second sphere, or the foot point on a wall: a sphere at rest without radius.
+  Vectors place_i, place_j;   ///< centre [m]; w: radius [m]
+  Vectors relative_velocity;  ///< v_i − v_j of the centres [m/s]
+  Vectors spin_i, spin_j;     ///< [rad/s]; w: 1/I [1/(kg m²)], 0 of a wall
+  // Carried from step to step.
+  Vectors spring;          ///< [m]; w: √m_eff [kg^½]
+  Vectors rolling_memory;  ///< [N m]
+  // Output.
+  Vectors force;               ///< on i [N]; w: normal force, compressive positive [N]
+  Vectors torque_i, torque_j;  ///< [N m]; w: overlap [m], normal approach speed [m/s]
+};
+
+/// Forces and torques of the first `count` contacts, a multiple of four. `AtWall`: j is a wall.
+///
+/// The contact plane halves the overlap of two spheres; at a wall it is the wall. So the lever arms of a pair add up to
+/// the distance of the centres, which conserves angular momentum.
+template <bool AtWall, class Law, class Rolling>
+void compute_contacts(ContactBatch& b, std::size_t count, const Law& law, const CoulombFriction& friction,
+                      const Rolling& rolling, double time_step) {
+#pragma GCC ivdep
+  for (std::size_t k = 0; k < count; ++k) {
+    const Vec3 d = b.place_j.at(k) - b.place_i.at(k);
+    const double ri = b.place_i.w[k], rj = b.place_j.w[k];
+    const double distance = std::sqrt(dot(d, d));
+    const Vec3 normal = (1.0 / distance) * d;
+    const double overlap = ri + rj - distance;
+    const double arm_i = AtWall ? distance : ri - 0.5 * overlap, arm_j = AtWall ? 0.0 : rj - 0.5 * overlap;
+    const Vec3 spin_i = b.spin_i.at(k), spin_j = b.spin_j.at(k);
+    const Vec3 velocity = b.relative_velocity.at(k) + cross(arm_i * spin_i + arm_j * spin_j, normal);
+    const double approach = dot(velocity, normal);
+    const double effective_radius = AtWall ? ri : ri * rj / (ri + rj);
+    const NormalContact contact = law(overlap, approach, b.spring.w[k], effective_radius);
+    Vec3 spring = b.spring.at(k);
+    const Vec3 tangential = friction(contact, normal, velocity - approach * normal, time_step, spring);
+    b.spring.set(k, spring);
+    const Vec3 lever = cross(normal, tangential);
+    Vec3 torque_i = arm_i * lever, torque_j = arm_j * lever;
+    if constexpr (!std::is_same_v<Rolling, NoRollingResistance>) {
+      const RollingContact rolling_contact{
+          contact.force, contact.stiffness, ri,    rj, effective_radius, spin_i, spin_j,
+          b.spin_i.w[k], b.spin_j.w[k],     normal};
+      Vec3 memory = b.rolling_memory.at(k);
+      const RollingTorque torque = rolling(rolling_contact, time_step, memory);
+      if constexpr (Rolling::has_memory) b.rolling_memory.set(k, memory);
+      torque_i = torque_i + torque.on_i;
+      torque_j = torque_j + torque.on_j;
+    }
+    b.torque_i.set(k, torque_i);
+    b.torque_j.set(k, torque_j);
+    b.force.set(k, tangential - contact.force * normal);
+    b.force.w[k] = contact.force;
+    b.torque_i.w[k] = overlap;
+    b.torque_j.w[k] = approach;
+  }
+}
+
+}  // namespace slfb::dem

@@ -1,0 +1,53 @@
+#pragma once
+
+#include <cmath>
+#include <limits>
+
+#include "solver/dem/linear_spring_dashpot.hpp"
+
+namespace slfb::dem {
+
+/// Elastic spheres: Hertz (1882) normally, Mindlin's (1949) no-slip stiffness tangentially, damped for a constant e.
+///
+/// F_n = 4/3 E* √(R* δ) δ + c_n δ', c_n = 2 √(5/6) ζ √(S_n m_eff), S_n = 2 E* √(R* δ); k_t = 8 G* √(R* δ),
+/// c_t = 2 √(5/6) ζ √(k_t m_eff). With damping as δ^{1/4} the restitution does not depend on the impact speed, and this
+/// factor makes it e exactly (Tsuji et al. 1992, Powder Technol. 71:239; Antypov & Elliott 2011, EPL 94:50004). The
+/// tangential force is k_t(δ) ξ: on unloading the spring loses stiffness with its energy, so a full tangential
+/// cycle is not free of artificial work; the steps of Mindlin & Deresiewicz (1953) are not followed.
+class HertzMindlin {
+ public:
+  /// With `at_wall` and contact.rigid_walls only the sphere deforms.
+  explicit HertzMindlin(const Contact& contact, bool at_wall = false) {
+    const double bodies = at_wall && contact.rigid_walls ? 1.0 : 2.0;
+    const double poisson = contact.poisson_ratio;
+    effective_modulus_ = contact.youngs_modulus / (bodies * (1.0 - poisson * poisson));
+    effective_shear_modulus_ = contact.youngs_modulus / (bodies * 2.0 * (1.0 + poisson) * (2.0 - poisson));
+    damping_ = 2.0 * std::sqrt(5.0 / 6.0) * damping_ratio(contact.restitution);
+    least_force_ = contact.cut_tension ? 0.0 : -std::numeric_limits<double>::infinity();
+  }
+
+  /// `overlap` δ > 0 [m], `approach` δ' [m/s], `root_effective_mass` √m_eff [kg^½], `effective_radius` R* [m].
+  [[gnu::always_inline]] NormalContact operator()(double overlap, double approach, double root_effective_mass,
+                                                  double effective_radius) const {
+    const double contact_radius = std::sqrt(effective_radius * overlap);
+    const double stiffness = 2.0 * effective_modulus_ * contact_radius;
+    const double tangential_stiffness = 8.0 * effective_shear_modulus_ * contact_radius;
+    const double factor = damping_ * root_effective_mass;
+    const double force = 2.0 / 3.0 * stiffness * overlap + factor * std::sqrt(stiffness) * approach;
+    return {force > least_force_ ? force : least_force_, stiffness, tangential_stiffness,
+            factor * std::sqrt(tangential_stiffness)};
+  }
+
+  /// Duration of an elastic collision, 2.8683 (m_eff²/(R* E*² v))^{1/5} (Landau & Lifshitz, Theory of Elasticity, §9)
+  /// [s].
+  static double contact_time(double effective_modulus, double effective_radius, double effective_mass, double speed) {
+    return 2.8683 * std::pow(effective_mass * effective_mass /
+                                 (effective_radius * effective_modulus * effective_modulus * speed),
+                             0.2);
+  }
+
+ private:
+  double effective_modulus_, effective_shear_modulus_, damping_, least_force_;
+};
+
+}  // namespace slfb::dem
