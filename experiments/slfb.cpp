@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "experiments/commands/bench.hpp"
 #include "experiments/commands/check.hpp"
 #include "experiments/commands/figures.hpp"
 #include "experiments/commands/laws.hpp"
@@ -67,6 +68,7 @@ int main(int argc, char** argv) {
   slfb::add_run_command(app);
   slfb::add_laws_command(app);
   slfb::add_law_command(app);
+  slfb::add_bench_command(app);
   slfb::add_list_command(app);
 
   try {

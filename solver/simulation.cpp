@@ -16,6 +16,7 @@
 
 #include "solver/coupling/phase_coupling.hpp"
 #include "solver/dem/engine.hpp"
+#include "solver/dem/granular_temperature.hpp"
 #include "solver/dem/packing.hpp"
 #include "solver/fluid/liquid_solver.hpp"
 #include "solver/io/hdf5_file.hpp"
@@ -94,6 +95,7 @@ class Simulation {
   void take_out();
   void remove_at_outlet();
   void sample_bed();
+  void sample_contact_forces();
   void sample_drop();
   void record_plane();
   void write_snapshot();
@@ -120,6 +122,7 @@ class Simulation {
   Position position_;
   std::int64_t fluidised_steps_ = 0, substeps_ = 1;
   std::int64_t foreign_ = -1;  ///< index of the dropped sphere, -1 if none
+  bool warned_of_network_ = false;
   Clock::time_point started_ = Clock::now(), last_checkpoint_ = Clock::now(), last_report_ = Clock::now();
   double wall_before_ = 0.0, cpu_before_ = 0.0, cpu_started_ = thread_cpu_seconds();
   std::int64_t steps_at_start_ = 0;
@@ -155,6 +158,7 @@ void Simulation::start() {
   result_.scene_text = canonical_toml(scene_);
   result_.suite_version = SLFB_VERSION;
   result_.threads = options_.threads;
+  result_.steps_per_contact = std::numbers::pi * contact_time_step_bound(scene_) / scene_.contact.time_step;
   result_.machine = machine_name();
 }
 
@@ -282,34 +286,31 @@ void Simulation::sample_bed() {
   const auto& particles = engine_.particles;
   BedSeries& bed = result_.bed;
   std::vector<double> heights;
-  std::array<double, 3> sum{}, sum_squares{};
-  double moment = 0.0, volume = 0.0, contacts = 0.0;
-  const std::array<const std::vector<double>*, 3> velocity{&particles.velocity.x, &particles.velocity.y,
-                                                           &particles.velocity.z};
+  double moment = 0.0, volume = 0.0, contacts = 0.0, events = 0.0;
   for (std::size_t i = 0; i < particles.size(); ++i) {
     if (static_cast<std::int64_t>(i) == foreign_) continue;
     heights.push_back(particles.position.z[i]);
     moment += particles.volume(i) * particles.position.z[i];
     volume += particles.volume(i);
     contacts += engine_.contacts(i);
-    for (std::size_t a = 0; a < 3; ++a) {
-      sum[a] += (*velocity[a])[i];
-      sum_squares[a] += (*velocity[a])[i] * (*velocity[a])[i];
-    }
+    events += static_cast<double>(engine_.contact_events(i));
   }
   if (heights.empty()) return;
   const auto n = static_cast<double>(heights.size());
-  // u'²: variance of one velocity component over all bed particles about the bed's mean velocity, mean of the three.
-  double variance = 0.0;
-  for (std::size_t a = 0; a < 3; ++a) variance += (sum_squares[a] / n - sum[a] * sum[a] / (n * n)) / 3.0;
   const auto top = heights.begin() + static_cast<std::ptrdiff_t>(0.99 * (n - 1.0));
   std::nth_element(heights.begin(), top, heights.end());
   bed.time.push_back(fluidised_seconds());
   bed.pressure_drop.push_back(liquid_ ? liquid_->inlet_pressure() : 0.0);
   bed.centre_of_mass_height.push_back(moment / volume);
   bed.bed_top.push_back(*top);
-  bed.fluctuating_energy.push_back(1.5 * variance);
+  std::optional<std::size_t> excluded;
+  if (foreign_ >= 0) excluded = static_cast<std::size_t>(foreign_);
+  const double box = 8.0 * *std::max_element(particles.radius.begin(), particles.radius.end());
+  bed.fluctuating_energy.push_back(dem::fluctuating_energy(particles, excluded));
+  bed.local_fluctuating_energy.push_back(dem::local_fluctuating_energy(particles, {box, box, box}, excluded));
   bed.contacts_per_particle.push_back(contacts / n);
+  bed.cumulative_contacts.push_back(events / n);
+  sample_contact_forces();
   bed.maximum_overlap.push_back(engine_.maximum_overlap());
   bed.foreign_present.push_back(foreign_ >= 0 ? 1.0 : 0.0);
 }
@@ -340,6 +341,32 @@ void Simulation::sample_drop() {
   drop.pressure_force_z.push_back(coupled_->pressure_force(i, 2));
   drop.contacts.push_back(engine_.contacts(i));
   drop.cumulative_contacts.push_back(static_cast<double>(engine_.contact_events(i)));
+}
+
+/// Mean normal force of the contacts by who touches, and whether the step can follow the network they make.
+void Simulation::sample_contact_forces() {
+  std::array<double, 3> sum{}, count{};
+  enum Kind : std::size_t { bed, foreign, wall };
+  for (const auto& pair : engine_.touching_pairs()) {
+    const bool of_foreign =
+        std::int64_t{pair.first} == foreign_ || (!pair.at_wall && std::int64_t{pair.second} == foreign_);
+    const Kind kind = pair.at_wall ? wall : of_foreign ? foreign : bed;
+    sum[kind] += pair.normal_force;
+    count[kind] += 1.0;
+  }
+  const auto mean = [&](Kind kind) { return count[kind] > 0.0 ? sum[kind] / count[kind] : 0.0; };
+  result_.bed.contact_force_bed.push_back(mean(bed));
+  result_.bed.contact_force_foreign.push_back(mean(foreign));
+  result_.bed.contact_force_wall.push_back(mean(wall));
+  const double network_step = engine_.time_step() * std::sqrt(engine_.network_frequency_squared());
+  result_.bed.network_step.push_back(network_step);
+  if (network_step > 2.0 && !warned_of_network_) {
+    warned_of_network_ = true;
+    spdlog::warn(
+        "{}: at {:.3f} s the contacts of one sphere make up to {:.2f} of contact.time_step = {:g} s; steps are surely "
+        "stable only below 2 (step times frequency, 2 sum k/m per sphere), so that here {:.3g} s would be needed",
+        scene_.title, fluidised_seconds(), network_step, engine_.time_step(), 2.0 / network_step * engine_.time_step());
+  }
 }
 
 /// Void fraction and velocity on the cells of the plane y = 0; between two rows of cells their mean.

@@ -30,13 +30,9 @@ struct ContactBatch {
       store(&z[k], c);
       store(&w[k], d);
     }
-    void get(std::size_t k, Row* rows) const {
-      Pack a = load(&x[k]), b = load(&y[k]), c = load(&z[k]), d = load(&w[k]);
-      transpose(a, b, c, d);
-      store(rows[0], a);
-      store(rows[1], b);
-      store(rows[2], c);
-      store(rows[3], d);
+    void get(std::size_t k, std::array<Pack, 4>& rows) const {
+      rows = {load(&x[k]), load(&y[k]), load(&z[k]), load(&w[k])};
+      transpose(rows[0], rows[1], rows[2], rows[3]);
     }
   };
 

@@ -93,17 +93,9 @@ struct Engine::SecondBody {
   Pack place, velocity, spin;
 };
 
-/// What the contacts of a list do in a step, in the order in which they were computed.
-struct Engine::ContactRows {
-  std::vector<Row> force, torque_i, torque_j;  ///< see ContactBatch
-  std::vector<std::uint32_t> fresh;            ///< contacts that have just begun
-  std::size_t told = 0;                        ///< of these, how many have had their impact speed written down
-
-  void resize(std::size_t contacts) {
-    told = 0;
-    if (force.size() >= contacts + 4) return;
-    for (auto* rows : {&force, &torque_i, &torque_j}) rows->resize(contacts + 4);
-  }
+/// What a contact with a sphere of a later share does, until that share takes it [N], [N m].
+struct Engine::OuterEffect {
+  Pack force, torque_i, torque_j;
 };
 
 /// The spheres of one thread, their pairs and its workspace.
@@ -111,7 +103,8 @@ struct Engine::Share {
   std::size_t first = 0, last = 0;  ///< slots
   PairList inner, outer, wall;      ///< both spheres in the share; the second in a later one; walls
   std::vector<std::uint32_t> touching, outer_touching;
-  ContactRows rows, outer_rows;
+  std::vector<std::uint32_t> fresh;  ///< of the contacts computed last: those that have just begun
+  std::vector<OuterEffect> outer_effect;
   std::vector<Row> foot;  ///< of each pair with a wall: the point of the wall; w = 0, no radius
   std::size_t outer_count = 0, outer_next = 0;
   double speed_squared = 0.0, speed_sum = 0.0, overlap = 0.0;
@@ -372,6 +365,7 @@ void Engine::list_pairs(double skin) {
           most, share.inner.start[std::min(i + block_size, share.inner.start.size() - 1)] - share.inner.start[i]);
     share.touching.resize(most + 1);
     share.outer_touching.resize(share.outer.second.size() + 1);
+    share.outer_effect.resize(share.outer.second.size());
     share.foot.assign(share.wall.second.size(), {});
   }
   skin_ = skin;
@@ -453,17 +447,17 @@ std::size_t Engine::find_touching(const PairList& list, std::uint32_t first, std
   return count;
 }
 
-/// Computes the contacts `touching` of a list into `rows`, a batch at a time. `second(p)` gives the rows of the second
-/// body of pair p: place, velocity and spin.
-template <bool AtWall, class Rolling, class Law, class Second>
-void Engine::compute(PairList& list, const std::uint32_t* touching, std::size_t count, const Law& law,
-                     ContactRows& rows, Share& share, bool final_step, Second second) const {
+/// Computes the contacts `touching` of a list, a batch at a time. `second(p)` gives the rows of the second body of pair
+/// p: place, velocity and spin; take(k, p, force, torque_i, torque_j) is told what contact k does, in order.
+template <bool AtWall, class Rolling, class Law, class Second, class Take>
+void Engine::compute(PairList& list, const std::uint32_t* touching, std::size_t count, const Law& law, Share& share,
+                     bool final_step, Second second, Take take) const {
   const CoulombFriction friction{contact_.sliding_friction, spring_phase_};
   const Rolling rolling(contact_, spring_phase_);
   const std::uint32_t step = now();
   ContactBatch& batch = share.batch;
-  rows.resize(count);
-  rows.fresh.clear();
+  share.fresh.clear();
+  std::size_t told = 0;
   for (std::size_t begin = 0; begin < count; begin += ContactBatch::capacity) {
     const std::size_t size = std::min(ContactBatch::capacity, count - begin);
     for (std::size_t k = 0; k < size; ++k) {
@@ -473,7 +467,7 @@ void Engine::compute(PairList& list, const std::uint32_t* touching, std::size_t 
         list.memory[p].set({});
         if constexpr (Rolling::has_memory) list.rolling_memory[p] = {};
         list.first_step[p] = step;
-        rows.fresh.push_back(static_cast<std::uint32_t>(begin + k));
+        share.fresh.push_back(static_cast<std::uint32_t>(begin + k));
       }
       list.last_step[p] = step;
     }
@@ -499,21 +493,22 @@ void Engine::compute(PairList& list, const std::uint32_t* touching, std::size_t 
     }
     compute_contacts<AtWall>(batch, (size + 3) / 4 * 4, law, friction, rolling, time_step_);
     for (std::size_t k = 0; k < size; k += 4) {
-      batch.force.get(k, &rows.force[begin + k]);
-      batch.torque_i.get(k, &rows.torque_i[begin + k]);
-      if constexpr (!AtWall) batch.torque_j.get(k, &rows.torque_j[begin + k]);
-      std::array<Row, 4> memory;
-      batch.spring.get(k, memory.data());
-      for (std::size_t lane = 0; lane < std::min<std::size_t>(4, size - k); ++lane)
-        store(list.memory[touching[begin + k + lane]], load(memory[lane]));
-      if constexpr (Rolling::has_memory) {
-        batch.rolling_memory.get(k, memory.data());
-        for (std::size_t lane = 0; lane < std::min<std::size_t>(4, size - k); ++lane)
-          store(list.rolling_memory[touching[begin + k + lane]], load(memory[lane]));
+      std::array<Pack, 4> force, torque_i, torque_j, spring, rolling_memory;
+      batch.force.get(k, force);
+      batch.torque_i.get(k, torque_i);
+      if constexpr (!AtWall) batch.torque_j.get(k, torque_j);
+      batch.spring.get(k, spring);
+      if constexpr (Rolling::has_memory) batch.rolling_memory.get(k, rolling_memory);
+      const std::size_t lanes = std::min<std::size_t>(4, size - k);
+      for (std::size_t lane = 0; lane < lanes; ++lane) {
+        const std::uint32_t p = touching[begin + k + lane];
+        take(begin + k + lane, p, force[lane], torque_i[lane], torque_j[lane]);
+        store(list.memory[p], spring[lane]);
+        if constexpr (Rolling::has_memory) store(list.rolling_memory[p], rolling_memory[lane]);
       }
     }
-    for (; !AtWall && rows.told < rows.fresh.size(); ++rows.told) {
-      const std::uint32_t k = rows.fresh[rows.told];
+    for (; !AtWall && told < share.fresh.size(); ++told) {
+      const std::uint32_t k = share.fresh[told];
       list.impact_speed[touching[k]] = batch.torque_j.w[k - begin];
     }
     if (!final_step) continue;
@@ -528,9 +523,9 @@ void Engine::compute(PairList& list, const std::uint32_t* touching, std::size_t 
   }
 }
 
-template <class Law, class Rolling>
-void Engine::compute_pairs(PairList& list, const std::uint32_t* touching, std::size_t count, ContactRows& rows,
-                           Share& share, bool final_step) const {
+template <class Law, class Rolling, class Take>
+void Engine::compute_pairs(PairList& list, const std::uint32_t* touching, std::size_t count, Share& share,
+                           bool final_step, Take take) const {
   const auto second = [&](std::uint32_t p) {
     const std::uint32_t j = list.second[p];
     return SecondBody{load(place_[j]), load(velocity_[j]), load(spin_[j])};
@@ -542,9 +537,9 @@ void Engine::compute_pairs(PairList& list, const std::uint32_t* touching, std::s
   };
   const Law law(contact_);
   if (periodic_)
-    compute<false, Rolling>(list, touching, count, law, rows, share, final_step, second_image);
+    compute<false, Rolling>(list, touching, count, law, share, final_step, second_image, take);
   else
-    compute<false, Rolling>(list, touching, count, law, rows, share, final_step, second);
+    compute<false, Rolling>(list, touching, count, law, share, final_step, second, take);
 }
 
 /// Contacts with the walls: the first terms of the sums.
@@ -562,19 +557,18 @@ void Engine::compute_walls(Share& share, bool final_step) {
     share.foot[p].set(own.vector() + gap.distance * gap.outward);
     share.touching[count++] = p;
   }
-  ContactRows& rows = share.rows;
-  compute<true, Rolling>(list, share.touching.data(), count, Law(contact_, true), rows, share, final_step,
-                         [&](std::uint32_t p) {
-                           return SecondBody{load(share.foot[p]), Pack{}, Pack{}};
-                         });
-  for (std::size_t k = 0; k < count; ++k) {
-    const std::size_t i = list.first[share.touching[k]];
-    const Vec3 force = rows.force[k].vector();
-    force_[i].add(force);
-    torque_[i].add(rows.torque_i[k].vector());
-    if (final_step) wall_force_row_[i].add(force);
-    if (i == tracked_slot_) share.tracked_force = share.tracked_force - force;
-  }
+  compute<true, Rolling>(
+      list, share.touching.data(), count, Law(contact_, true), share, final_step,
+      [&](std::uint32_t p) {
+        return SecondBody{load(share.foot[p]), Pack{}, Pack{}};
+      },
+      [&](std::size_t, std::uint32_t p, Pack force, Pack torque, Pack) {
+        const std::size_t i = list.first[p];
+        store(force_[i], load(force_[i]) + force);
+        store(torque_[i], load(torque_[i]) + torque);
+        if (final_step) store(wall_force_row_[i], load(wall_force_row_[i]) + force);
+        if (i == tracked_slot_) share.tracked_force = share.tracked_force - Vec3{force[0], force[1], force[2]};
+      });
 }
 
 template <class Law, class Rolling>
@@ -583,18 +577,10 @@ void Engine::compute_outer(Share& share, bool final_step) {
   share.outer_count =
       find_touching(list, 0, static_cast<std::uint32_t>(list.second.size()), share.outer_touching.data());
   share.outer_next = 0;
-  compute_pairs<Law, Rolling>(list, share.outer_touching.data(), share.outer_count, share.outer_rows, share,
-                              final_step);
-}
-
-void Engine::add_to_first(const ContactRows& rows, std::size_t k, std::size_t i) {
-  store(force_[i], load(force_[i]) + load(rows.force[k]));
-  store(torque_[i], load(torque_[i]) + load(rows.torque_i[k]));
-}
-
-void Engine::add_to_second(const ContactRows& rows, std::size_t k, std::size_t j) {
-  store(force_[j], load(force_[j]) - load(rows.force[k]));
-  store(torque_[j], load(torque_[j]) + load(rows.torque_j[k]));
+  compute_pairs<Law, Rolling>(list, share.outer_touching.data(), share.outer_count, share, final_step,
+                              [&](std::size_t k, std::uint32_t, Pack force, Pack torque_i, Pack torque_j) {
+                                share.outer_effect[k] = {force, torque_i, torque_j};
+                              });
 }
 
 /// Adds what the earlier shares' pairs do to the spheres of this one.
@@ -604,7 +590,8 @@ void Engine::receive(const Share& share) {
     for (std::size_t k = 0; k < other->outer_count; ++k) {
       const std::uint32_t p = other->outer_touching[k], j = other->outer.second[p];
       if (j < share.first || j >= share.last) continue;
-      add_to_second(other->outer_rows, k, j);
+      store(force_[j], load(force_[j]) - other->outer_effect[k].force);
+      store(torque_[j], load(torque_[j]) + other->outer_effect[k].torque_j);
       if (other->outer.first_step[p] == now()) ++events_[j];
     }
   }
@@ -619,31 +606,28 @@ void Engine::sweep(Share& share, bool final_step) {
   receive(share);
   share.speed_squared = share.speed_sum = 0.0;
   PairList& list = share.inner;
-  const ContactRows& rows = share.rows;
   for (std::size_t first = share.first; first < share.last; first += block_size) {
     const std::size_t last = std::min(first + block_size, share.last);
     const std::size_t count =
         find_touching(list, list.start[first - share.first], list.start[last - share.first], share.touching.data());
-    compute_pairs<Law, Rolling>(list, share.touching.data(), count, share.rows, share, final_step);
-    for (std::size_t k = 0; k < count; ++k) add_to_second(rows, k, list.second[share.touching[k]]);
-    for (std::size_t k = 0; k < count;) {
-      const std::uint32_t i = list.first[share.touching[k]];
-      Pack force = load(force_[i]), torque = load(torque_[i]);
-      do {
-        force += load(rows.force[k]);
-        torque += load(rows.torque_i[k]);
-      } while (++k < count && list.first[share.touching[k]] == i);
-      store(force_[i], force);
-      store(torque_[i], torque);
-    }
-    for (const std::uint32_t k : rows.fresh) {
+    compute_pairs<Law, Rolling>(list, share.touching.data(), count, share, final_step,
+                                [&](std::size_t, std::uint32_t p, Pack force, Pack torque_i, Pack torque_j) {
+                                  const std::uint32_t i = list.first[p], j = list.second[p];
+                                  store(force_[i], load(force_[i]) + force);
+                                  store(torque_[i], load(torque_[i]) + torque_i);
+                                  store(force_[j], load(force_[j]) - force);
+                                  store(torque_[j], load(torque_[j]) + torque_j);
+                                });
+    for (const std::uint32_t k : share.fresh) {
       ++events_[list.first[share.touching[k]]];
       ++events_[list.second[share.touching[k]]];
     }
     for (; share.outer_next < share.outer_count; ++share.outer_next) {
       const std::uint32_t p = share.outer_touching[share.outer_next], i = share.outer.first[p];
       if (i >= last) break;
-      add_to_first(share.outer_rows, share.outer_next, i);
+      const OuterEffect& effect = share.outer_effect[share.outer_next];
+      store(force_[i], load(force_[i]) + effect.force);
+      store(torque_[i], load(torque_[i]) + effect.torque_i);
       if (share.outer.first_step[p] == now()) ++events_[i];
     }
     if (tracked_slot_ >= first && tracked_slot_ < last)

@@ -116,7 +116,7 @@ class Engine {
  private:
   struct Share;
   struct PairList;
-  struct ContactRows;
+  struct OuterEffect;
   struct SecondBody;
   struct Records {
     std::vector<ContactRecord> spheres, walls;
@@ -138,18 +138,16 @@ class Engine {
   void one_step(bool final_step);
   std::size_t find_touching(const PairList& list, std::uint32_t first, std::uint32_t last,
                             std::uint32_t* touching) const;
-  template <bool AtWall, class Rolling, class Law, class Second>
-  void compute(PairList& list, const std::uint32_t* touching, std::size_t count, const Law& law, ContactRows& rows,
-               Share& share, bool final_step, Second second) const;
-  template <class Law, class Rolling>
-  void compute_pairs(PairList& list, const std::uint32_t* touching, std::size_t count, ContactRows& rows, Share& share,
-                     bool final_step) const;
+  template <bool AtWall, class Rolling, class Law, class Second, class Take>
+  void compute(PairList& list, const std::uint32_t* touching, std::size_t count, const Law& law, Share& share,
+               bool final_step, Second second, Take take) const;
+  template <class Law, class Rolling, class Take>
+  void compute_pairs(PairList& list, const std::uint32_t* touching, std::size_t count, Share& share, bool final_step,
+                     Take take) const;
   template <class Law, class Rolling>
   void compute_walls(Share& share, bool final_step);
   template <class Law, class Rolling>
   void compute_outer(Share& share, bool final_step);
-  void add_to_first(const ContactRows& rows, std::size_t k, std::size_t i);
-  void add_to_second(const ContactRows& rows, std::size_t k, std::size_t j);
   void receive(const Share& share);
   template <class Law, class Rolling>
   void sweep(Share& share, bool final_step);

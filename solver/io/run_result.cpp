@@ -29,6 +29,12 @@ constexpr std::array bed_columns{
     Column<BedSeries>{"bed_top", "m", &BedSeries::bed_top},
     Column<BedSeries>{"fluctuating_energy", "m2 s-2", &BedSeries::fluctuating_energy},
     Column<BedSeries>{"contacts_per_particle", "1", &BedSeries::contacts_per_particle},
+    Column<BedSeries>{"local_fluctuating_energy", "m2 s-2", &BedSeries::local_fluctuating_energy},
+    Column<BedSeries>{"cumulative_contacts", "1", &BedSeries::cumulative_contacts},
+    Column<BedSeries>{"contact_force_bed", "N", &BedSeries::contact_force_bed},
+    Column<BedSeries>{"contact_force_foreign", "N", &BedSeries::contact_force_foreign},
+    Column<BedSeries>{"contact_force_wall", "N", &BedSeries::contact_force_wall},
+    Column<BedSeries>{"network_step", "1", &BedSeries::network_step},
     Column<BedSeries>{"maximum_overlap", "1", &BedSeries::maximum_overlap},
     Column<BedSeries>{"foreign_present", "1", &BedSeries::foreign_present},
 };
@@ -103,6 +109,7 @@ void save_result(const RunResult& result, const std::filesystem::path& file) {
     target.write_attribute("/", "simulated_seconds", result.simulated_seconds);
     target.write_attribute("/", "particle_steps", result.particle_steps);
     target.write_attribute("/", "particles_removed", result.particles_removed);
+    target.write_attribute("/", "steps_per_contact", result.steps_per_contact);
     target.write("packed_bed/voidage", {result.packed_voidage}, "1");
     target.write("packed_bed/height", {result.packed_height}, "m");
     write_columns(target, "bed", bed_columns, result.bed);
@@ -135,6 +142,7 @@ RunResult load_result(const std::filesystem::path& file) {
   result.simulated_seconds = source.read_double_attribute("/", "simulated_seconds");
   result.particle_steps = source.read_integer_attribute("/", "particle_steps");
   result.particles_removed = source.read_integer_attribute("/", "particles_removed");
+  result.steps_per_contact = source.read_double_attribute("/", "steps_per_contact");
   result.packed_voidage = read_number(source, "packed_bed/voidage");
   result.packed_height = read_number(source, "packed_bed/height");
   read_columns(source, "bed", bed_columns, result.bed);

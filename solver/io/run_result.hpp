@@ -17,7 +17,14 @@ struct BedSeries {
   std::vector<double> centre_of_mass_height;  ///< of the bed particles [m]
   std::vector<double> bed_top;                ///< 99th percentile of the bed particles' centre heights [m]
   std::vector<double> fluctuating_energy;  ///< q_p² = 3/2 u'² (Eq. 39), u'² the mean per-component variance [m²/s²]
-  std::vector<double> contacts_per_particle;  ///< mean coordination number [-]
+  std::vector<double> contacts_per_particle;     ///< mean coordination number [-]
+  std::vector<double> local_fluctuating_energy;  ///< q_p² about the mean velocity in boxes of 4 diameters [m²/s²]
+  std::vector<double>
+      cumulative_contacts;                ///< new contacts with other spheres per bed particle since the run began [-]
+  std::vector<double> contact_force_bed;  ///< mean normal force of the contacts of bed particles [N]
+  std::vector<double> contact_force_foreign;  ///< of the contacts of the dropped sphere with bed particles [N]
+  std::vector<double> contact_force_wall;     ///< of the contacts with walls [N]
+  std::vector<double> network_step;           ///< DEM step times the bound of the contact network's frequency [-]
   std::vector<double> maximum_overlap;        ///< largest overlap over particle radius [-]
   std::vector<double> foreign_present;        ///< 1 while a dropped sphere is in the column, else 0
 };
@@ -63,6 +70,7 @@ struct RunResult {
   double cpu_seconds = 0.0;  ///< of the leading thread times the threads, which keep in step
   double simulated_seconds = 0.0;
   std::int64_t particle_steps = 0;
+  double steps_per_contact = 0.0;      ///< DEM steps in π/ω_0 of the stiffest pair [-]
   std::int64_t particles_removed = 0;  ///< through the outlet
   double packed_voidage = 0.0;         ///< of the settled bed, from twice its centre of mass [-]
   double packed_height = 0.0;          ///< twice the centre of mass of the settled bed [m]

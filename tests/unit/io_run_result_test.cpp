@@ -58,7 +58,9 @@ RunResult example() {
   result.packed_height = 0.2;
   BedSeries& bed = result.bed;
   for (auto* values : {&bed.time, &bed.pressure_drop, &bed.centre_of_mass_height, &bed.bed_top, &bed.fluctuating_energy,
-                       &bed.contacts_per_particle, &bed.maximum_overlap, &bed.foreign_present}) {
+                       &bed.contacts_per_particle, &bed.local_fluctuating_energy, &bed.cumulative_contacts,
+                       &bed.contact_force_bed, &bed.contact_force_foreign, &bed.contact_force_wall, &bed.network_step,
+                       &bed.maximum_overlap, &bed.foreign_present}) {
     *values = random_values(700);
   }
   for (const std::size_t length : {40U, 2000U}) {
@@ -116,8 +118,10 @@ TEST_F(RunResultTest, EveryFieldComesBack) {
 
   EXPECT_EQ(read.bed.time, written.bed.time);
   for (auto member : {&BedSeries::pressure_drop, &BedSeries::centre_of_mass_height, &BedSeries::bed_top,
-                      &BedSeries::fluctuating_energy, &BedSeries::contacts_per_particle, &BedSeries::maximum_overlap,
-                      &BedSeries::foreign_present}) {
+                      &BedSeries::fluctuating_energy, &BedSeries::contacts_per_particle,
+                      &BedSeries::local_fluctuating_energy, &BedSeries::cumulative_contacts,
+                      &BedSeries::contact_force_bed, &BedSeries::contact_force_foreign, &BedSeries::contact_force_wall,
+                      &BedSeries::network_step, &BedSeries::maximum_overlap, &BedSeries::foreign_present}) {
     expect_single_precision(written.bed.*member, read.bed.*member);
   }
   ASSERT_EQ(read.drops.size(), written.drops.size());

@@ -44,6 +44,12 @@ FinishedRun made_up_run(double velocity, const std::string& name, double voidage
     bed.bed_top.push_back(height - 0.0025);
     bed.fluctuating_energy.push_back(4e-4);
     bed.contacts_per_particle.push_back(1.0);
+    bed.local_fluctuating_energy.push_back(1e-3);
+    bed.cumulative_contacts.push_back(1.0);
+    bed.contact_force_bed.push_back(1e-3);
+    bed.contact_force_foreign.push_back(0.0);
+    bed.contact_force_wall.push_back(1e-3);
+    bed.network_step.push_back(0.5);
     bed.maximum_overlap.push_back(0.01);
     bed.foreign_present.push_back(dropped ? 1.0 : 0.0);
   }

@@ -115,6 +115,12 @@ inline FinishedRun run(double superficial_velocity, const std::string& variant, 
     result.bed.bed_top.push_back(0.203 + (height - 0.203) * swelling);
     result.bed.fluctuating_energy.push_back(2e-3 * (1.0 + 0.1 * noise(generator)));
     result.bed.contacts_per_particle.push_back(1.5 + 0.1 * noise(generator));
+    result.bed.local_fluctuating_energy.push_back(1e-3);
+    result.bed.cumulative_contacts.push_back(1.0);
+    result.bed.contact_force_bed.push_back(1e-3);
+    result.bed.contact_force_foreign.push_back(0.0);
+    result.bed.contact_force_wall.push_back(1e-3);
+    result.bed.network_step.push_back(0.5);
     result.bed.maximum_overlap.push_back(0.01);
     result.bed.foreign_present.push_back(time > 4.0 ? 1.0 : 0.0);
   }

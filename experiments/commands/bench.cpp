@@ -1,0 +1,100 @@
+#include "experiments/commands/bench.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "experiments/bench/dem_bench.hpp"
+
+namespace slfb {
+namespace {
+
+struct DemOptions {
+  std::vector<std::string> scenes{"A"};
+  int threads = 1, repetitions = 5;
+  std::int64_t steps = 0;
+  bool json = false;
+  std::string lammps_file;
+};
+
+void bench_dem(const DemOptions& options) {
+  const auto say = [](const std::string& text) { fmt::print(stderr, "slfb: {}\n", text); };
+  const std::filesystem::path cache = std::filesystem::path(SLFB_BUILD_DIR) / "bench";
+  nlohmann::ordered_json results = nlohmann::ordered_json::array();
+  if (!options.json && options.lammps_file.empty())
+    fmt::print("{:5} {:>7} {:>16} {:>17} {:>9} {:>10} {:>10} {:>12}\n", "scene", "threads", "M particle-steps",
+               "smallest, largest", "contacts", "listed", "steps per", "ns per");
+  if (!options.json && options.lammps_file.empty())
+    fmt::print("{:5} {:>7} {:>16} {:>17} {:>9} {:>10} {:>10} {:>12}\n", "", "", "per second", "", "/sphere", "/sphere",
+               "list", "contact");
+  for (const std::string& letter : options.scenes) {
+    const auto& scenes = bench::dem_scenes();
+    const auto scene =
+        std::find_if(scenes.begin(), scenes.end(), [&](const auto& s) { return s.letter == letter.front(); });
+    dem::Engine engine = bench::prepare(*scene, options.threads, cache, say);
+    if (!options.lammps_file.empty()) {
+      bench::write_lammps(*scene, engine, options.lammps_file);
+      continue;
+    }
+    const auto timing =
+        bench::time_dem(*scene, engine, options.repetitions, options.steps > 0 ? options.steps : scene->steps);
+    const auto [least, most] = std::minmax_element(timing.rates.begin(), timing.rates.end());
+    if (options.json) {
+      results.push_back({{"scene", letter},
+                         {"description", scene->description},
+                         {"threads", timing.threads},
+                         {"repetitions", timing.rates.size()},
+                         {"particle_steps_per_second", timing.median_rate()},
+                         {"smallest", *least},
+                         {"largest", *most},
+                         {"ns_per_contact", timing.nanoseconds_per_contact()},
+                         {"contacts_per_particle", timing.contacts_per_particle},
+                         {"pairs_per_particle", timing.pairs_per_particle},
+                         {"list_builds_per_step", timing.list_builds_per_step}});
+      continue;
+    }
+    fmt::print("{:5} {:7} {:16.2f} {:>17} {:9.2f} {:10.2f} {:10.0f} {:12.1f}\n", letter, timing.threads,
+               timing.median_rate() / 1e6, fmt::format("{:.2f}, {:.2f}", *least / 1e6, *most / 1e6),
+               timing.contacts_per_particle, timing.pairs_per_particle, 1.0 / timing.list_builds_per_step,
+               timing.nanoseconds_per_contact());
+  }
+  if (options.json) fmt::print("{}\n", nlohmann::ordered_json{{"results", results}}.dump(2));
+}
+
+}  // namespace
+
+void add_bench_command(CLI::App& app) {
+  CLI::App* bench = app.add_subcommand("bench", "How fast the solver is on this machine");
+  bench->require_subcommand(1);
+
+  auto options = std::make_shared<DemOptions>();
+  std::string scenes;
+  for (const auto& scene : bench::dem_scenes()) scenes += fmt::format("\n  {}  {}", scene.letter, scene.description);
+  CLI::App* dem = bench->add_subcommand(
+      "dem",
+      "The particle engine alone.\nLinear springs of 1e4 N/m, restitution 0.9, friction 0.3, 2230 kg/m3. The "
+      "scenes:" +
+          scenes);
+  dem->add_option("--scene", options->scenes, "A, B, C or D; several are timed one after the other")
+      ->check(CLI::IsMember({"A", "B", "C", "D"}))
+      ->capture_default_str();
+  dem->add_option("--threads", options->threads, "Threads")->check(CLI::PositiveNumber)->capture_default_str();
+  dem->add_option("--repetitions", options->repetitions, "Timed repetitions; the median is reported")
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str();
+  dem->add_option("--steps", options->steps, "Steps of a repetition, if not the scene's own")
+      ->check(CLI::PositiveNumber);
+  dem->add_flag("--json", options->json, "Results for programs");
+  dem->add_option("--write-lammps", options->lammps_file,
+                  "Write the scene's start as a data file of LAMMPS and LIGGGHTS, and time nothing");
+  dem->footer(
+      "Example:\n  slfb bench dem --scene A C --threads 2\n\n"
+      "tests/bench/compare_dem times LAMMPS and LIGGGHTS beside it.");
+  dem->callback([options] { bench_dem(*options); });
+}
+
+}  // namespace slfb
