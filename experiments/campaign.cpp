@@ -1,5 +1,9 @@
 #include "experiments/campaign.hpp"
 
+#include <spdlog/spdlog.h>
+
+#include <stdexcept>
+
 #include "experiments/run_files.hpp"
 
 namespace slfb {
@@ -12,7 +16,14 @@ std::vector<FinishedRun> finished_runs(const Profile& profile, const std::filesy
     if (const auto own = result_file(out, hash); std::filesystem::exists(own)) {
       runs.push_back({spec, std::move(scene), load_result(own), false, false});
     } else if (const auto committed = published_file(spec); std::filesystem::exists(committed)) {
-      RunResult result = load_result(committed);
+      RunResult result;
+      try {
+        result = load_result(committed);
+      } catch (const std::runtime_error& error) {
+        // Written by an earlier version of the suite, it may lack what this one reads.
+        spdlog::warn("left out a published result: {}", error.what());
+        continue;
+      }
       const bool stale = result.numerics != numerics_version || result.name != hash;
       // An older result is analysed with the scene it was made from.
       if (stale) scene = parse_scene(result.scene_text, committed.string());

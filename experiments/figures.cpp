@@ -5,11 +5,12 @@
 #include "experiments/fig13_void_fraction/fig13.hpp"
 #include "experiments/fig25_collision_force/fig25.hpp"
 #include "experiments/figure.hpp"
+#include "experiments/frontier/integrators.hpp"
 
 namespace slfb {
 
 const std::vector<Figure>& figures() {
-  static const std::vector<Figure> list{fig05(), fig08(), fig09(), fig10(), fig13(), fig25()};
+  static const std::vector<Figure> list{fig05(), fig08(), fig09(), fig10(), fig13(), fig25(), frontier_integrators()};
   return list;
 }
 

@@ -427,7 +427,7 @@ void Simulation::save(const std::filesystem::path& file) const {
     h5.write("contacts/events", memory.contact_events);
     write_vector("contacts/mean_solid_force", memory.mean_solid_force);
     write_vector("neighbour_list/position", memory.list_position);
-    h5.write("neighbour_list/skin", std::vector<double>{memory.skin});
+    h5.write("neighbour_list/lengths", std::vector<double>{memory.skin, memory.travel, memory.margin}, "m");
     h5.write("integrator", memory.integrator);
     if (liquid_) {
       const auto state = liquid_->state();
@@ -467,7 +467,10 @@ bool Simulation::resume(const std::filesystem::path& file) {
   memory.contact_events = h5.read_integers("contacts/events");
   memory.mean_solid_force = read_vector("contacts/mean_solid_force");
   memory.list_position = read_vector("neighbour_list/position");
-  memory.skin = h5.read_doubles("neighbour_list/skin").at(0);
+  const auto lengths = h5.read_doubles("neighbour_list/lengths");
+  memory.skin = lengths.at(0);
+  memory.travel = lengths.at(1);
+  memory.margin = lengths.at(2);
   memory.integrator = h5.read_doubles("integrator");
   memory.list_step = clock.at(0);
   memory.steps = clock.at(1);

@@ -324,15 +324,15 @@ class ImpactMotion {
   ReferenceTrajectory<ReferenceImpactState> follow(const std::vector<double>& times) {
     const double speed = impact_.normal_speed, overlap = law_.overlap_scale(mass_, speed);
     ReferenceTrajectory<ReferenceImpactState> trajectory;
+    std::vector<double> initial{0.0, -speed, 0.0, impact_.tangential_velocity, impact_.spin, 0.0};
+    start(initial.data());
     Solver solver(
-        {0.0, -speed, 0.0, impact_.tangential_velocity, impact_.spin, 0.0},
-        {overlap, speed, overlap, speed, speed / radius_, overlap}, 5,
+        initial, {overlap, speed, overlap, speed, speed / radius_, overlap}, 5,
         [this](const double* y, double* f) { rates(y, f); }, [this](const double* y, double* g) { events(y, g); });
     solver.limit_step(overlap / speed / 100.0);
     const auto note = [&](ReferenceEventKind kind) {
       trajectory.events.push_back({kind, 0, snapshot(solver.state(), solver.time())});
     };
-    start(solver.state());
     note(ReferenceEventKind::contact_start);
     note(mode_ == Mode::stick ? ReferenceEventKind::sticking_start : ReferenceEventKind::sliding_start);
     solver.run(
@@ -380,7 +380,7 @@ class ImpactMotion {
   }
 
   /// Whether the first instant slides: Θ against μ N for δ → 0, where ξ = δ v_t/v_n.
-  void start(const double* y) {
+  void start(double* y) {
     const Contact c = contact(y);
     const double friction = impact_.law.friction, slip = std::abs(c.slip);
     const double dashpots = law_.shear_dashpot * slip - friction * law_.dashpot * c.approach;
@@ -389,6 +389,12 @@ class ImpactMotion {
     // Where k_t grows from 0 and c_t v_t alone exceeds the limit, the slaved spring −(c_t v_t − μ F_n)/k_t pulls
     // against the dashpot and stiffens so fast that the limit is exceeded on the other side at once.
     direction_ = law_.exponent > 0.0 && dashpots > 0.0 ? -sign(c.slip) : sign(c.slip);
+    // The dashpot alone is above the limit but its force falls off from there: the spring takes the difference at once,
+    // and the contact sticks.
+    if (mode_ == Mode::slide && friction > 0.0 && sliding_margin(c) < 0.0) {
+      mode_ = Mode::stick;
+      y[5] = slaved_spring(c);
+    }
   }
 
   /// d(σ Θ − μ N)/dt, times δ^{4p}, of a sliding contact whose spring were released: positive as long as it slides.

@@ -47,8 +47,8 @@ void permute(std::vector<T>& values, const std::vector<std::uint32_t>& order, st
 }
 
 template <class Law>
-double stiffness_of(const Contact& contact, double overlap, double effective_radius) {
-  return Law(contact)(overlap, 0.0, 0.0, effective_radius).stiffness;
+double stiffness_of(const Contact& contact, bool at_wall, double overlap, double effective_radius) {
+  return Law(contact, at_wall)(overlap, 0.0, 0.0, effective_radius).stiffness;
 }
 
 }  // namespace
@@ -174,6 +174,7 @@ void Engine::choose_integrator() {
 // --- spheres ---------------------------------------------------------------------------------------------------------
 
 std::size_t Engine::add_particle(const std::array<double, 3>& centre, double radius, double density, int species) {
+  finish_collisions();
   const Records records = contact_records();
   number_order();
   const std::size_t i = particles.add(centre, radius, density, species);
@@ -183,6 +184,7 @@ std::size_t Engine::add_particle(const std::array<double, 3>& centre, double rad
 }
 
 void Engine::remove_particle(std::size_t i) {
+  finish_collisions();
   Records records = contact_records();
   std::erase_if(records.spheres, [i](const ContactRecord& c) { return c.first == i || c.second == i; });
   std::erase_if(records.walls, [i](const ContactRecord& c) { return c.first == i; });
@@ -220,12 +222,15 @@ void Engine::number_order() {
   if (list_valid_) permute(integrator_, slot_of_, integrator_rows_, row_scratch_);
 }
 
+/// Takes the state from `particles`; where somebody has moved a sphere, the list is looked at before the next step.
 void Engine::pack() {
   for (std::size_t s = 0; s < particles.size(); ++s) {
     const std::size_t i = order_[s];
     const Vec3 x = load(particles.position, i), v = load(particles.velocity, i),
                w = load(particles.angular_velocity, i);
     const double inverse_mass = 1.0 / particles.mass[i];
+    if (x.x != place_[s].x || x.y != place_[s].y || x.z != place_[s].z)
+      travel_ = std::numeric_limits<double>::infinity();
     place_[s] = {x.x, x.y, x.z, particles.radius[i]};
     velocity_[s] = {v.x, v.y, v.z, inverse_mass};
     spin_[s] = {w.x, w.y, w.z, inverse_mass / (0.4 * particles.radius[i] * particles.radius[i])};
@@ -305,6 +310,7 @@ void Engine::list_anew(const Records& records, std::optional<double> skin) {
 }
 
 void Engine::rebuild() {
+  finish_collisions();
   const Records records = contact_records();
   list_pairs(choose_skin());
   remember(records);
@@ -333,7 +339,6 @@ void Engine::list_pairs(double skin) {
 #pragma omp parallel for num_threads(threads_) schedule(static, 1)
   for (std::size_t t = 0; t < shares_.size(); ++t) {
     Share& share = *shares_[t];
-    finish_collisions(share);
     share.first = n * t / shares_.size();
     share.last = n * (t + 1) / shares_.size();
     share.inner.clear();
@@ -451,7 +456,7 @@ std::size_t Engine::find_touching(const PairList& list, std::uint32_t first, std
 /// p: place, velocity and spin; take(k, p, force, torque_i, torque_j) is told what contact k does, in order.
 template <bool AtWall, class Rolling, class Law, class Second, class Take>
 void Engine::compute(PairList& list, const std::uint32_t* touching, std::size_t count, const Law& law, Share& share,
-                     bool final_step, Second second, Take take) const {
+                     StepMode mode, Second second, Take take) const {
   const CoulombFriction friction{contact_.sliding_friction, spring_phase_};
   const Rolling rolling(contact_, spring_phase_);
   const std::uint32_t step = now();
@@ -511,7 +516,7 @@ void Engine::compute(PairList& list, const std::uint32_t* touching, std::size_t 
       const std::uint32_t k = share.fresh[told];
       list.impact_speed[touching[k]] = batch.torque_j.w[k - begin];
     }
-    if (!final_step) continue;
+    if (mode != StepMode::final) continue;
     for (std::size_t k = 0; k < size; ++k) {
       const std::uint32_t p = touching[begin + k];
       const double normal = batch.force.w[k];
@@ -525,7 +530,7 @@ void Engine::compute(PairList& list, const std::uint32_t* touching, std::size_t 
 
 template <class Law, class Rolling, class Take>
 void Engine::compute_pairs(PairList& list, const std::uint32_t* touching, std::size_t count, Share& share,
-                           bool final_step, Take take) const {
+                           StepMode mode, Take take) const {
   const auto second = [&](std::uint32_t p) {
     const std::uint32_t j = list.second[p];
     return SecondBody{load(place_[j]), load(velocity_[j]), load(spin_[j])};
@@ -537,14 +542,14 @@ void Engine::compute_pairs(PairList& list, const std::uint32_t* touching, std::s
   };
   const Law law(contact_);
   if (periodic_)
-    compute<false, Rolling>(list, touching, count, law, share, final_step, second_image, take);
+    compute<false, Rolling>(list, touching, count, law, share, mode, second_image, take);
   else
-    compute<false, Rolling>(list, touching, count, law, share, final_step, second, take);
+    compute<false, Rolling>(list, touching, count, law, share, mode, second, take);
 }
 
 /// Contacts with the walls: the first terms of the sums.
 template <class Law, class Rolling>
-void Engine::compute_walls(Share& share, bool final_step) {
+void Engine::compute_walls(Share& share, StepMode mode) {
   PairList& list = share.wall;
   std::size_t count = 0;
   for (std::uint32_t p = 0; p < list.second.size(); ++p) {
@@ -558,7 +563,7 @@ void Engine::compute_walls(Share& share, bool final_step) {
     share.touching[count++] = p;
   }
   compute<true, Rolling>(
-      list, share.touching.data(), count, Law(contact_, true), share, final_step,
+      list, share.touching.data(), count, Law(contact_, true), share, mode,
       [&](std::uint32_t p) {
         return SecondBody{load(share.foot[p]), Pack{}, Pack{}};
       },
@@ -566,18 +571,18 @@ void Engine::compute_walls(Share& share, bool final_step) {
         const std::size_t i = list.first[p];
         store(force_[i], load(force_[i]) + force);
         store(torque_[i], load(torque_[i]) + torque);
-        if (final_step) store(wall_force_row_[i], load(wall_force_row_[i]) + force);
+        if (mode == StepMode::final) store(wall_force_row_[i], load(wall_force_row_[i]) + force);
         if (i == tracked_slot_) share.tracked_force = share.tracked_force - Vec3{force[0], force[1], force[2]};
       });
 }
 
 template <class Law, class Rolling>
-void Engine::compute_outer(Share& share, bool final_step) {
+void Engine::compute_outer(Share& share, StepMode mode) {
   PairList& list = share.outer;
   share.outer_count =
       find_touching(list, 0, static_cast<std::uint32_t>(list.second.size()), share.outer_touching.data());
   share.outer_next = 0;
-  compute_pairs<Law, Rolling>(list, share.outer_touching.data(), share.outer_count, share, final_step,
+  compute_pairs<Law, Rolling>(list, share.outer_touching.data(), share.outer_count, share, mode,
                               [&](std::size_t k, std::uint32_t, Pack force, Pack torque_i, Pack torque_j) {
                                 share.outer_effect[k] = {force, torque_i, torque_j};
                               });
@@ -598,11 +603,11 @@ void Engine::receive(const Share& share) {
 }
 
 template <class Law, class Rolling>
-void Engine::sweep(Share& share, bool final_step) {
-  if (final_step)
+void Engine::sweep(Share& share, StepMode mode) {
+  if (mode == StepMode::final)
     std::fill(wall_force_row_.begin() + static_cast<std::ptrdiff_t>(share.first),
               wall_force_row_.begin() + static_cast<std::ptrdiff_t>(share.last), Row{});
-  if (!share.wall.second.empty()) compute_walls<Law, Rolling>(share, final_step);
+  if (!share.wall.second.empty()) compute_walls<Law, Rolling>(share, mode);
   receive(share);
   share.speed_squared = share.speed_sum = 0.0;
   PairList& list = share.inner;
@@ -610,7 +615,7 @@ void Engine::sweep(Share& share, bool final_step) {
     const std::size_t last = std::min(first + block_size, share.last);
     const std::size_t count =
         find_touching(list, list.start[first - share.first], list.start[last - share.first], share.touching.data());
-    compute_pairs<Law, Rolling>(list, share.touching.data(), count, share, final_step,
+    compute_pairs<Law, Rolling>(list, share.touching.data(), count, share, mode,
                                 [&](std::size_t, std::uint32_t p, Pack force, Pack torque_i, Pack torque_j) {
                                   const std::uint32_t i = list.first[p], j = list.second[p];
                                   store(force_[i], load(force_[i]) + force);
@@ -632,26 +637,32 @@ void Engine::sweep(Share& share, bool final_step) {
     }
     if (tracked_slot_ >= first && tracked_slot_ < last)
       share.tracked_force = share.tracked_force + force_[tracked_slot_].vector();
-    (this->*move_)(share, first, last, final_step);
+    (this->*move_)(share, first, last, mode);
   }
 }
 
 template <class Integrator>
-void Engine::move(Share& share, std::size_t first, std::size_t last, bool final_step) {
+void Engine::move(Share& share, std::size_t first, std::size_t last, StepMode mode) {
   double speed_squared = 0.0, speed_sum = 0.0;
   for (std::size_t i = first; i < last; ++i) {
-    if (final_step) {
+    if (mode == StepMode::final) {
       contact_force_row_[i] = force_[i];
       contact_force_row_[i].add(-1.0 * wall_force_row_[i].vector());
     }
     const Body body{place_[i], velocity_[i], spin_[i], integrator_.data() + i * Integrator::rows};
     const Vec3 constant = constant_[i].vector();
     const Acceleration contact{velocity_[i].w * force_[i].vector(), spin_[i].w * torque_[i].vector()};
+    if (mode == StepMode::start) {
+      Integrator::start(body, contact);
+      force_[i] = {};
+      torque_[i] = {};
+      continue;
+    }
     Integrator::correct(body, contact, constant, time_step_);
     const double own = dot(velocity_[i].vector(), velocity_[i].vector());
     speed_squared = own > speed_squared ? own : speed_squared;
     speed_sum += own;
-    if (!final_step) Integrator::predict(body, constant, time_step_);
+    if (mode == StepMode::middle) Integrator::predict(body, constant, time_step_);
     force_[i] = {};
     torque_[i] = {};
   }
@@ -666,17 +677,42 @@ void Engine::predict(std::size_t first, std::size_t last) {
                         constant_[i].vector(), time_step_);
 }
 
+template <class Work>
+void Engine::for_shares(Work work) {
+#pragma omp parallel for num_threads(threads_) schedule(static, 1)
+  for (std::size_t t = 0; t < shares_.size(); ++t) {
+    // An exception must not leave a parallel region.
+    try {
+      work(*shares_[t]);
+    } catch (const EngineError& error) {
+      shares_[t]->failure = error.what();
+    }
+  }
+  for (auto& share : shares_)
+    if (!share->failure.empty()) throw EngineError(std::exchange(share->failure, {}));
+}
+
 void Engine::advance(std::int64_t steps) {
+  if (steps <= 0) return;
   if (particles.size() == 0) {
     steps_ += steps;
     return;
   }
-  if (!list_valid_) list_anew({});
+  if (!list_valid_) {
+    list_anew({});
+    if (integrator_rows_ > 0) {
+      // Integrators that remember accelerations need those of the start, when contacts may exist: a step in which
+      // nothing moves, and no contact remembers that it was.
+      for_shares([&](Share& share) { (this->*compute_outer_)(share, StepMode::start); });
+      for_shares([&](Share& share) { (this->*sweep_)(share, StepMode::start); });
+      number_order();
+      list_anew({});
+    }
+  }
   pack();
-  travel_ = std::numeric_limits<double>::infinity();  // whoever changed positions did so in `particles`
   tracked_sum_ = {};
   (this->*predict_)(0, particles.size());
-  for (std::int64_t s = 0; s < steps; ++s) one_step(s + 1 == steps);
+  for (std::int64_t s = 0; s < steps; ++s) one_step(s + 1 == steps ? StepMode::final : StepMode::middle);
   unpack(steps);
   mean_tracked_force_ = {};
   if (tracked_) {
@@ -685,7 +721,7 @@ void Engine::advance(std::int64_t steps) {
   }
 }
 
-void Engine::one_step(bool final_step) {
+void Engine::one_step(StepMode mode) {
   if (travel_ > margin_) {
     // The bound adds the fastest sphere of each step; what has really been covered is less.
     const double covered = largest_displacement();
@@ -697,25 +733,13 @@ void Engine::one_step(bool final_step) {
   }
   tracked_slot_ = tracked_ ? slot_of_[*tracked_] : std::numeric_limits<std::size_t>::max();
 
-  const auto for_shares = [&](auto work) {
-#pragma omp parallel for num_threads(threads_) schedule(static, 1)
-    for (std::size_t t = 0; t < shares_.size(); ++t) {
-      // An exception must not leave a parallel region.
-      try {
-        work(*shares_[t]);
-      } catch (const EngineError& error) {
-        shares_[t]->failure = error.what();
-      }
-    }
-  };
   for (auto& share : shares_) share->overlap = 0.0;
-  if (threads_ > 1) for_shares([&](Share& share) { (this->*compute_outer_)(share, final_step); });
-  for_shares([&](Share& share) { (this->*sweep_)(share, final_step); });
+  if (threads_ > 1) for_shares([&](Share& share) { (this->*compute_outer_)(share, mode); });
+  for_shares([&](Share& share) { (this->*sweep_)(share, mode); });
 
   double speed_squared = 0.0, speed_sum = 0.0;
   maximum_overlap_ = 0.0;
   for (auto& share : shares_) {
-    if (!share->failure.empty()) throw EngineError(std::exchange(share->failure, {}));
     speed_squared = std::max(speed_squared, share->speed_squared);
     speed_sum += share->speed_sum;
     maximum_overlap_ = std::max(maximum_overlap_, share->overlap);
@@ -761,12 +785,12 @@ double Engine::network_frequency_squared() const {
   for_contacts([&](std::size_t i, std::uint32_t j, const PairList& list, std::uint32_t p, bool at_wall) {
     const Row& own = place_[i];
     if (at_wall) {
-      sum[i] += stiffness_(contact_, own.w - walls_[j].gap(own.vector()).distance, own.w);
+      sum[i] += stiffness_(contact_, true, own.w - walls_[j].gap(own.vector()).distance, own.w);
       return;
     }
     const Vec3 d = place_[j].vector() + image_shift_[list.image[p]].vector() - own.vector();
     const double radius = own.w * place_[j].w / (own.w + place_[j].w);
-    const double stiffness = stiffness_(contact_, std::max(0.0, own.w + place_[j].w - norm(d)), radius);
+    const double stiffness = stiffness_(contact_, false, std::max(0.0, own.w + place_[j].w - norm(d)), radius);
     sum[i] += stiffness;
     sum[j] += stiffness;
   });
@@ -785,22 +809,29 @@ void Engine::finish_collision(Share& share, PairList& list, std::uint32_t p) con
   list.impact_speed[p] = -1.0;
 }
 
-void Engine::finish_collisions(Share& share) const {
+/// All collisions that have ended, by the numbers that the spheres have now.
+void Engine::finish_collisions() {
   if (!collect_collisions_ || !list_valid_) return;
-  for (PairList* list : {&share.inner, &share.outer})
-    for (std::uint32_t p = 0; p < list->second.size(); ++p)
-      if (list->last_step[p] != static_cast<std::uint32_t>(steps_)) finish_collision(share, *list, p);
+  for (auto& share : shares_)
+    for (PairList* list : {&share->inner, &share->outer})
+      for (std::uint32_t p = 0; p < list->second.size(); ++p)
+        if (list->last_step[p] != static_cast<std::uint32_t>(steps_)) finish_collision(*share, *list, p);
 }
 
 void Engine::collect_collisions(bool on) {
   take_collisions();
   collect_collisions_ = on;
+  // What has ended before is nobody's business.
+  for (auto& share : shares_)
+    for (PairList* list : {&share->inner, &share->outer})
+      for (std::size_t p = 0; p < list->second.size(); ++p)
+        if (list->last_step[p] != static_cast<std::uint32_t>(steps_)) list->impact_speed[p] = -1.0;
 }
 
 std::vector<Collision> Engine::take_collisions() {
   std::vector<Collision> all;
+  finish_collisions();
   for (auto& share : shares_) {
-    finish_collisions(*share);
     all.insert(all.end(), share->collisions.begin(), share->collisions.end());
     share->collisions.clear();
   }
@@ -822,6 +853,8 @@ Engine::Memory Engine::memory() const {
   memory.list_position.resize(origin_.size());
   for (std::size_t s = 0; s < origin_.size(); ++s) store(memory.list_position, order_[s], origin_[s].vector());
   memory.skin = skin_;
+  memory.travel = travel_;
+  memory.margin = margin_;
   memory.list_step = list_step_;
   memory.steps = steps_;
   for (std::size_t i = 0; i < slot_of_.size(); ++i)
@@ -846,7 +879,10 @@ void Engine::restore(Particles state, const Memory& memory) {
   const VectorField now_at = std::exchange(particles.position, memory.list_position);
   list_anew({memory.contacts, memory.wall_contacts}, memory.skin);
   particles.position = now_at;
+  pack();
   list_step_ = memory.list_step;
+  travel_ = memory.travel;
+  margin_ = memory.margin;
 }
 
 }  // namespace slfb::dem

@@ -105,8 +105,9 @@ class Engine {
     std::vector<ContactRecord> contacts, wall_contacts;
     std::vector<std::int64_t> contact_events;
     VectorField mean_solid_force;
-    VectorField list_position;  ///< positions when the neighbour list was built
-    double skin = 0.0;          ///< of that list [m]
+    VectorField list_position;          ///< positions when the neighbour list was built
+    double skin = 0.0;                  ///< of that list [m]
+    double travel = 0.0, margin = 0.0;  ///< how far spheres may have moved since they were last looked at, and may [m]
     std::int64_t list_step = 0, steps = 0;
     std::vector<double> integrator;  ///< rows of the integrator, sphere by sphere
   };
@@ -114,6 +115,8 @@ class Engine {
   void restore(Particles state, const Memory& memory);
 
  private:
+  /// Start: forces without motion. Final: the last of a call of advance(), after which much is asked for.
+  enum class StepMode { start, middle, final };
   struct Share;
   struct PairList;
   struct OuterEffect;
@@ -135,24 +138,26 @@ class Engine {
   [[nodiscard]] Records contact_records() const;
   void remember(const Records& records);
 
-  void one_step(bool final_step);
+  template <class Work>
+  void for_shares(Work work);
+  void one_step(StepMode mode);
   std::size_t find_touching(const PairList& list, std::uint32_t first, std::uint32_t last,
                             std::uint32_t* touching) const;
   template <bool AtWall, class Rolling, class Law, class Second, class Take>
   void compute(PairList& list, const std::uint32_t* touching, std::size_t count, const Law& law, Share& share,
-               bool final_step, Second second, Take take) const;
+               StepMode mode, Second second, Take take) const;
   template <class Law, class Rolling, class Take>
-  void compute_pairs(PairList& list, const std::uint32_t* touching, std::size_t count, Share& share, bool final_step,
+  void compute_pairs(PairList& list, const std::uint32_t* touching, std::size_t count, Share& share, StepMode mode,
                      Take take) const;
   template <class Law, class Rolling>
-  void compute_walls(Share& share, bool final_step);
+  void compute_walls(Share& share, StepMode mode);
   template <class Law, class Rolling>
-  void compute_outer(Share& share, bool final_step);
+  void compute_outer(Share& share, StepMode mode);
   void receive(const Share& share);
   template <class Law, class Rolling>
-  void sweep(Share& share, bool final_step);
+  void sweep(Share& share, StepMode mode);
   template <class Integrator>
-  void move(Share& share, std::size_t first, std::size_t last, bool final_step);
+  void move(Share& share, std::size_t first, std::size_t last, StepMode mode);
   template <class Integrator>
   void predict(std::size_t first, std::size_t last);
   template <class Law>
@@ -165,7 +170,7 @@ class Engine {
   template <class Visit>
   void for_contacts(Visit visit) const;
   void finish_collision(Share& share, PairList& list, std::uint32_t p) const;
-  void finish_collisions(Share& share) const;
+  void finish_collisions();
 
   Contact contact_;
   std::vector<Wall> walls_;
@@ -174,11 +179,11 @@ class Engine {
   int threads_;
   bool periodic_;
   // The instances of the templates that this scene's contact law and integrator need.
-  void (Engine::*sweep_)(Share&, bool) = nullptr;
-  void (Engine::*compute_outer_)(Share&, bool) = nullptr;
-  void (Engine::*move_)(Share&, std::size_t, std::size_t, bool) = nullptr;
+  void (Engine::*sweep_)(Share&, StepMode) = nullptr;
+  void (Engine::*compute_outer_)(Share&, StepMode) = nullptr;
+  void (Engine::*move_)(Share&, std::size_t, std::size_t, StepMode) = nullptr;
   void (Engine::*predict_)(std::size_t, std::size_t) = nullptr;
-  double (*stiffness_)(const Contact&, double overlap, double effective_radius) = nullptr;
+  double (*stiffness_)(const Contact&, bool at_wall, double overlap, double effective_radius) = nullptr;
   double spring_phase_ = 1.0;
 
   // By slot: spheres in the order of the cell grid.

@@ -23,6 +23,8 @@ class HertzMindlin {
     effective_modulus_ = contact.youngs_modulus / (bodies * (1.0 - poisson * poisson));
     effective_shear_modulus_ = contact.youngs_modulus / (bodies * 2.0 * (1.0 + poisson) * (2.0 - poisson));
     damping_ = 2.0 * std::sqrt(5.0 / 6.0) * damping_ratio(contact.restitution);
+    time_step_ = contact.time_step;
+    lag_ = contact.integrator == Integrator::symplectic_euler ? 0.5 * contact.time_step : 0.0;
     least_force_ = contact.cut_tension ? 0.0 : -std::numeric_limits<double>::infinity();
   }
 
@@ -33,9 +35,13 @@ class HertzMindlin {
     const double stiffness = 2.0 * effective_modulus_ * contact_radius;
     const double tangential_stiffness = 8.0 * effective_shear_modulus_ * contact_radius;
     const double factor = damping_ * root_effective_mass;
-    const double force = 2.0 / 3.0 * stiffness * overlap + factor * std::sqrt(stiffness) * approach;
-    return {force > least_force_ ? force : least_force_, stiffness, tangential_stiffness,
-            factor * std::sqrt(tangential_stiffness)};
+    const double damping = factor * std::sqrt(stiffness);
+    const double ahead = root_effective_mass / (root_effective_mass + lag_ * damping_ * std::sqrt(stiffness));
+    const double load = ahead * (2.0 / 3.0 * stiffness * overlap + damping * approach);
+    const double weight = dashpot_weight(overlap, approach, time_step_, 1.3278);
+    const double force = load + ahead * (weight - 1.0) * damping * approach;
+    return {force > least_force_ ? force : least_force_, load > least_force_ ? load : least_force_, stiffness,
+            tangential_stiffness, factor * std::sqrt(tangential_stiffness)};
   }
 
   /// Duration of an elastic collision, 2.8683 (m_eff²/(R* E*² v))^{1/5} (Landau & Lifshitz, Theory of Elasticity, §9)
@@ -47,7 +53,7 @@ class HertzMindlin {
   }
 
  private:
-  double effective_modulus_, effective_shear_modulus_, damping_, least_force_;
+  double effective_modulus_, effective_shear_modulus_, damping_, time_step_, lag_, least_force_;
 };
 
 }  // namespace slfb::dem

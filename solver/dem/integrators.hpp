@@ -25,6 +25,7 @@ struct Acceleration {
 struct SymplecticEuler {
   static constexpr double spring_phase = 1.0;
   static constexpr std::size_t rows = 0;
+  static void start(Body, Acceleration) {}
   static void predict(Body, Vec3 /*constant*/, double /*step*/) {}
   static void correct(Body b, Acceleration contact, Vec3 constant, double step) {
     b.velocity.add(step * (contact.linear + constant));
@@ -39,6 +40,10 @@ struct VelocityVerlet {
   static constexpr double spring_phase = 0.5;
   static constexpr std::size_t rows =
       4;  ///< contact accelerations of the last step, linear and angular; half-step v, ω
+  static void start(Body b, Acceleration contact) {
+    b.memory[0].set(contact.linear);
+    b.memory[1].set(contact.angular);
+  }
   static void predict(Body b, Vec3 constant, double step) {
     const Vec3 a = b.memory[0].vector() + constant, alpha = b.memory[1].vector();
     const Vec3 v = b.velocity.vector(), w = b.spin.vector();
@@ -61,6 +66,10 @@ struct VelocityVerlet {
 struct PositionVerlet {
   static constexpr double spring_phase = 0.5;
   static constexpr std::size_t rows = 4;  ///< contact accelerations of the last step, linear and angular; v, ω
+  static void start(Body b, Acceleration contact) {
+    b.memory[0].set(contact.linear);
+    b.memory[1].set(contact.angular);
+  }
   static void predict(Body b, Vec3 constant, double step) {
     b.memory[2].set(b.velocity.vector());
     b.memory[3].set(b.spin.vector());
@@ -83,6 +92,10 @@ struct PositionVerlet {
 struct Gear {
   static constexpr double spring_phase = 0.5;
   static constexpr std::size_t rows = 6;  ///< contact acceleration and its two derivatives, linear, then angular
+  static void start(Body b, Acceleration contact) {
+    b.memory[0].set(contact.linear);
+    b.memory[3].set(contact.angular);
+  }
   static void predict(Body b, Vec3 constant, double step) {
     const double h = step, h2 = h * h / 2.0, h3 = h * h2 / 3.0, h4 = h * h3 / 4.0;
     const Vec3 a = b.memory[0].vector(), jerk = b.memory[1].vector(), snap = b.memory[2].vector();

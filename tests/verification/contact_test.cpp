@@ -40,8 +40,7 @@ Engine dropped_sphere(Integrator integrator, double stiffness, double time_step)
   contact.restitution = 0.9;
   contact.integrator = integrator;
   contact.time_step = time_step;
-  Engine engine =
-      engine_with(contact, {floor_at_zero}, {{{0, 0, drop_height}, {}, {}, drop_radius, drop_density}});
+  Engine engine = engine_with(contact, {floor_at_zero}, {{{0, 0, drop_height}, {}, {}, drop_radius, drop_density}});
   engine.external_force.z[0] = -engine.particles.mass[0] * gravity;
   return engine;
 }
@@ -94,7 +93,8 @@ std::vector<double> heights_of_bounces(Integrator integrator, double stiffness, 
   return heights;
 }
 
-// DEM02 of MFIX: h_k = r + (h_0 − r) e^{2k} for a contact so short that gravity does nothing in it.
+// DEM02 of MFIX: h_k = r + (h_0 − r) e^{2k} for a contact so short that gravity does next to nothing in it: 0.8 % less
+// by the tenth.
 TEST(Bounce, TenHeightsOfAHardSphere) {
   const auto heights = heights_of_bounces(Integrator::velocity_verlet, 5e7, 1.5e-5, 11);
   for (std::size_t k = 1; k < heights.size(); ++k)
@@ -108,8 +108,8 @@ TEST(Bounce, TenHeightsOfASoftSphere) {
   ReferenceLaw law;
   law.stiffness = 5e4;
   law.restitution = 0.9;
-  const auto run = reference_bounce(law, drop_radius, drop_density * Particles::volume_of(drop_radius), gravity,
-                                    drop_height, {4.5});
+  const auto run =
+      reference_bounce(law, drop_radius, drop_density * Particles::volume_of(drop_radius), gravity, drop_height, {4.5});
   std::vector<double> exact{drop_height};
   for (const auto& event : run.events)
     if (event.kind == ReferenceEventKind::contact_end)
@@ -159,8 +159,8 @@ struct Collider {
     const double gap = (3.0 - phase) * contact.time_step * speed;
     std::vector<Wall> walls;
     if (wall) walls.push_back({Wall::Kind::plane, 0, -1.0, 0.0});
-    Engine engine = engine_with(
-        contact, walls, {{(-radius - gap) * direction, (share * speed) * direction, {}, radius, density}});
+    Engine engine =
+        engine_with(contact, walls, {{(-radius - gap) * direction, (share * speed) * direction, {}, radius, density}});
     if (!wall) {
       engine.add_particle({r1 * direction.x, r1 * direction.y, r1 * direction.z}, r1, density1, 0);
       engine.particles.velocity.x[1] = -(1.0 - share) * speed * direction.x;
@@ -205,42 +205,22 @@ void for_all_colliders(Check check) {
         for (const double e : {0.3, 0.5, 0.7, 0.9, 1.0}) check(Collider{law, integrator, bodies, e, false, {1, 0, 0}});
 }
 
-// A dashpot pulls with c_n δ' as soon as the spheres meet and until they part, but a step has its whole force or none:
-// counted in steps the contact is up to one too long or too short. So the restitution scatters with the phase of the
-// contact in the steps, by up to e c_n Δt/m_eff = 2 e ζ ω_0 Δt. A Hertzian dashpot begins softly, at δ^{1/4}, and
-// scatters less. Without damping there is no such jump.
-double scatter(double restitution, double steps) {
-  const double zeta = damping_ratio(restitution);
-  return 2.0 * restitution * zeta * pi / (std::sqrt(1.0 - zeta * zeta) * steps);
-}
-/// The velocities of symplectic Euler are half a step behind its positions, and with them the dashpot.
-double lag(const Collider& collider, double steps) {
-  return collider.integrator == Integrator::symplectic_euler ? 0.5 * scatter(collider.restitution, steps) : 0.0;
-}
-
-// Out as in, on the mean of the phases within 1e-3 at 100 steps per contact, and no phase further off than that.
+// Out as in, within 1e-3 at 100 steps per contact, wherever in a step the spheres meet.
 TEST(Restitution, IsThatOfTheLaw) {
   for_all_colliders([](const Collider& collider) {
-    const auto errors = collider.errors(100, 16, collider.restitution);
-    EXPECT_LT(std::abs(errors.mean), 1e-3 + lag(collider, 100)) << collider;
-    EXPECT_LT(errors.largest, scatter(collider.restitution, 100) + lag(collider, 100) + 2.5e-4) << collider;
+    EXPECT_LT(collider.errors(100, 16, collider.restitution).largest, 1e-3) << collider;
   });
 }
 
+// Of second order but for the Hertzian dashpot, which begins as δ^{1/4}: of order 5/4.
 TEST(Restitution, ConvergesWithTheStep) {
   for (const ContactLaw law : all_laws)
     for (const Integrator integrator : all_integrators)
       for (const double e : {0.3, 0.5, 0.7, 0.9, 1.0}) {
         const Collider collider{law, integrator, Bodies::wall, e, false, {1, 0, 0}};
         std::vector<double> largest;
-        for (const int steps : {50, 100, 200, 400, 800}) {
-          largest.push_back(collider.errors(steps, 8, e).largest);
-          const double whole_step = scatter(e, steps) + lag(collider, steps);
-          EXPECT_LT(largest.back(), whole_step + 2.5 / (steps * steps)) << collider << " " << steps;
-        }
-        if (e == 1.0) {
-          EXPECT_GT(order_of(largest), 1.9) << collider;
-        }
+        for (const int steps : {50, 100, 200, 400, 800}) largest.push_back(collider.errors(steps, 8, e).largest);
+        EXPECT_GT(order_of(largest), law == ContactLaw::linear || e == 1.0 ? 1.75 : 0.8) << collider;
       }
 }
 
@@ -279,9 +259,7 @@ TEST(Restitution, IsHigherWithoutTension) {
             expected = reference_line(line, {0.1}).samples.back().velocity[0] / 0.1;
           }
           const auto errors = collider.errors(400, 8, expected);
-          EXPECT_LT(std::abs(errors.mean), 5e-4) << collider;
-          // Only where it begins is there a jump.
-          EXPECT_LT(errors.largest, 0.5 * expected / e * scatter(e, 400) + lag(collider, 400) + 1e-4) << collider;
+          EXPECT_LT(errors.largest, 1e-4) << collider;
         }
 }
 
@@ -415,7 +393,8 @@ TEST(Stack, CradleMovesAsTheReference) {
     line.law.modulus = 1e8 / (2.0 * (1.0 - 0.25 * 0.25));
     line.law.restitution = e;
     const double mass = density * Particles::volume_of(radius);
-    line.spheres = {{radius, 2.0 * mass, 0.0, 0.0}, {radius, mass, 2.0001 * radius, 0.0},
+    line.spheres = {{radius, 2.0 * mass, 0.0, 0.0},
+                    {radius, mass, 2.0001 * radius, 0.0},
                     {radius, 0.7 * mass, 4.01 * radius, -0.3}};
     const auto exact = reference_line(line, {end}).samples.back();
     for (const Integrator integrator : all_integrators) {
@@ -458,10 +437,31 @@ TEST(CylinderWall, IsAPlaneInTheLimitOfAWideOne) {
     const auto [plane_v, plane_w] = outcome({Wall::Kind::plane, 0, -1.0, wide});
     errors.push_back(norm(v - plane_v) + radius * norm(w - plane_w));
   }
-  for(double x:errors) printf("cyl %.3e\n",x);
   EXPECT_LT(errors[4], 1e-6);
   errors.pop_back();
   EXPECT_NEAR(order_of(errors), 1.0, 0.1);
+}
+
+// Wherever on the wall of the cylinder the impact is, it is the same turned about the axis.
+TEST(CylinderWall, IsTheSameAllAround) {
+  const Contact contact = glass(0.8, 100, 0.2);
+  const auto outcome = [&](double angle) {
+    const auto turned = [&angle](Vec3 a) {
+      return Vec3{std::cos(angle) * a.x - std::sin(angle) * a.y, std::sin(angle) * a.x + std::cos(angle) * a.y, a.z};
+    };
+    Engine engine = engine_with(contact, {{Wall::Kind::cylinder, 0, 1.0, 4.0 * radius}},
+                                {{turned({2.999 * radius, 0, 0}), turned({0.1, 0.08, 0.05}), {}, radius, density}});
+    engine.advance(400);
+    EXPECT_TRUE(engine.touching_pairs().empty());
+    angle = -angle;
+    return std::pair{turned(at(engine.particles.velocity, 0)), turned(at(engine.particles.angular_velocity, 0))};
+  };
+  const auto [v, w] = outcome(0.0);
+  EXPECT_LT(v.x, -0.05);
+  for (const double angle : {0.7, 2.0, 3.5, 5.5}) {
+    const auto [turned_v, turned_w] = outcome(angle);
+    EXPECT_LT(norm(turned_v - v) + radius * norm(turned_w - w), 1e-9) << angle;
+  }
 }
 
 TEST(Engine, StopsWhenASphereLeavesThroughAWall) {

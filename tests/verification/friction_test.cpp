@@ -69,9 +69,8 @@ struct Impact {
     Contact stepped = contact;
     stepped.time_step = duration / steps;
     const double gap = (3.0 - phase) * stepped.time_step * velocity_z;
-    Engine engine =
-        engine_with(stepped, {floor_at_zero},
-                    {{{0, 0, radius + gap}, {velocity_x, 0, -velocity_z}, {0, spin, 0}, radius, density}});
+    Engine engine = engine_with(stepped, {floor_at_zero},
+                                {{{0, 0, radius + gap}, {velocity_x, 0, -velocity_z}, {0, spin, 0}, radius, density}});
     engine.advance(static_cast<std::int64_t>(1.8 * steps) + 5);
     EXPECT_TRUE(engine.touching_pairs().empty());
     return {engine.particles.velocity.x[0], engine.particles.velocity.z[0], engine.particles.angular_velocity.y[0]};
@@ -96,10 +95,11 @@ TEST(ObliqueImpact, SlidesGrosslyAsOfChungAndOoi) {
       contact.sliding_friction = 0.092;
       const double v_x = 3.9 * std::sin(c.degrees * pi / 180.0), v_z = 3.9 * std::cos(c.degrees * pi / 180.0);
       const Outcome outcome = Impact{contact, v_x, v_z}.by_engine(6.5e-6, 1000);
-      printf("CO4 %s %g: %.5f %.3f %.5f\n", name_of(integrator), c.degrees, outcome.velocity_x / v_x, outcome.spin, outcome.velocity_z/v_z);
       EXPECT_NEAR(outcome.velocity_z / v_z, 0.98, 5e-4) << name_of(integrator);
       EXPECT_NEAR(outcome.velocity_x / v_x, c.ratio, 1e-4) << name_of(integrator);
-      EXPECT_NEAR(outcome.spin, c.spin, 0.2) << name_of(integrator);
+      // Friction acts at the wall, nearer to the centre than r by the overlap: on its average 0.86 of the largest.
+      const double overlap = 0.86 * 8.089e-6 * std::pow(v_z / 3.9, 0.8);
+      EXPECT_NEAR(outcome.spin, c.spin * (1.0 - overlap / radius), 4e-4 * c.spin) << name_of(integrator);
     }
 }
 
@@ -128,87 +128,89 @@ TEST(ObliqueImpact, SlidesGrosslyWithSpin) {
 }
 
 // No limit: m_t dv_t/dt = −k_t ξ, 1/m_t = 1/m + r²/I = 7/(2 m), for half a period π √(m/k_n) of the normal oscillator,
-// so that the slip is turned into cos(π √(7/2 k_t/k_n)) of itself.
+// so that the slip is turned into cos(π √(7/2 k_t/k_n)) of itself. So slow that the overlap is nothing beside r.
 TEST(ObliqueImpact, SticksAsAnOscillator) {
   for (const Integrator integrator : all_integrators)
     for (const double ratio : {2.0 / 7.0, 0.8, 1.0}) {
-      const double v_x = 0.05, spin = -12.0, slip = v_x - spin * radius;
+      const double v_x = 5e-5, spin = -0.012, slip = v_x - spin * radius;
       const double cosine = std::cos(pi * std::sqrt(3.5 * ratio));
       std::vector<double> errors;
-      for (const int steps : {101, 202, 404}) {
-        Impact impact{elastic(ratio, 1e9), v_x, 0.1, spin};
+      for (const int steps : {101, 202, 404, 808}) {
+        Impact impact{elastic(ratio, 1e9), v_x, 1e-4, spin};
         impact.contact.integrator = integrator;
         const Outcome o = impact.by_engine(pi * std::sqrt(mass / impact.contact.stiffness), steps);
-        const double out = o.velocity_x - o.spin * radius;
-        errors.push_back(std::abs(out / slip - cosine));
-        EXPECT_NEAR(o.velocity_x + 0.4 * radius * o.spin, v_x + 0.4 * radius * spin, 1e-3 * slip);
+        errors.push_back(std::abs((o.velocity_x - o.spin * radius) / slip - cosine));
+        // The force at the point of contact changes neither.
+        EXPECT_NEAR(o.velocity_x + 0.4 * radius * o.spin, v_x + 0.4 * radius * spin, 1e-6 * slip);
       }
-      printf("stick %s %.2f: %.2e %.2e %.2e order %.2f\n", name_of(integrator), ratio, errors[0], errors[1], errors[2], order_of(errors));
+      // The velocities of symplectic Euler, and with them the spring, are half a step late.
+      const bool euler = integrator == Integrator::symplectic_euler;
+      EXPECT_LT(errors.front(), euler ? 2.5e-2 : 2.5e-3) << name_of(integrator) << ", k_t/k_n = " << ratio;
+      EXPECT_LT(errors.back(), euler ? 3.2e-3 : 4e-5) << name_of(integrator) << ", k_t/k_n = " << ratio;
     }
 }
 
 // All regimes of Maw, Barber & Fawcett (1976) with both dashpots, sticking to sliding, against the reference.
 TEST(ObliqueImpact, FollowsTheReferenceAtAllAngles) {
-  const double v = 0.1, stiffness = 1e6;
-  for (const Integrator integrator : all_integrators) {
-    double worst[2]={};
-    for (const double e : {1.0, 0.8})
-      for (const double degrees : {2.0, 10.0, 25.0, 40.0, 55.0, 70.0, 80.0})
-        for (const double spin : {0.0, -20.0, 20.0}) {
-          Contact contact;
-          contact.integrator = integrator;
-          contact.stiffness = stiffness;
-          contact.restitution = e;
-          contact.sliding_friction = 0.3;
-          ReferenceImpact exact;
-          exact.law.stiffness = stiffness;
-          exact.law.tangential_stiffness = contact.tangential_stiffness_ratio * stiffness;
-          exact.law.tangential_damping =
-              contact.tangential_damping_ratio * 2.0 * damping_ratio(e) * std::sqrt(stiffness * mass);
-          exact.law.restitution = e;
-          exact.law.friction = 0.3;
-          exact.radius = radius;
-          exact.mass = mass;
-          exact.normal_speed = v * std::cos(degrees * pi / 180.0);
-          exact.tangential_velocity = v * std::sin(degrees * pi / 180.0);
-          exact.spin = spin;
-          const double duration = LinearSpringDashpot::contact_time(stiffness, e, mass);
-          const auto last = reference_impact(exact, {2.0 * duration}).samples.back();
-          const Impact impact{contact, exact.tangential_velocity, exact.normal_speed, spin};
-          for(int l:{0,1}) {
-          const Outcome o = impact.by_engine(duration, l==0?400:1600);
-          if(l==0 && (std::abs(o.velocity_x - last.velocity_x)/v>5e-3)) printf("deg %g e %g spin %g: vx %g %g vz %g %g w %g %g\n",degrees,e,spin,o.velocity_x,last.velocity_x,o.velocity_z,last.velocity_z,o.spin,last.spin);
-          worst[l] = std::max({worst[l], std::abs(o.velocity_x - last.velocity_x)/v, std::abs(o.velocity_z - last.velocity_z)/v, std::abs(o.spin-last.spin)*radius/v});
-          }
+  const double v = 0.01, stiffness = 1e6;
+  for (const double e : {1.0, 0.8})
+    for (const double degrees : {2.0, 10.0, 25.0, 40.0, 55.0, 70.0, 80.0})
+      for (const double spin : {0.0, -2.0, 2.0}) {
+        Contact contact;
+        contact.stiffness = stiffness;
+        contact.restitution = e;
+        contact.sliding_friction = 0.3;
+        ReferenceImpact exact;
+        exact.law.stiffness = stiffness;
+        exact.law.tangential_stiffness = contact.tangential_stiffness_ratio * stiffness;
+        exact.law.tangential_damping =
+            contact.tangential_damping_ratio * 2.0 * damping_ratio(e) * std::sqrt(stiffness * mass);
+        exact.law.restitution = e;
+        exact.law.friction = 0.3;
+        exact.radius = radius;
+        exact.mass = mass;
+        exact.normal_speed = v * std::cos(degrees * pi / 180.0);
+        exact.tangential_velocity = v * std::sin(degrees * pi / 180.0);
+        exact.spin = spin;
+        const double duration = LinearSpringDashpot::contact_time(stiffness, e, mass);
+        const auto last = reference_impact(exact, {2.0 * duration}).samples.back();
+        for (const Integrator integrator : all_integrators) {
+          Impact impact{contact, exact.tangential_velocity, exact.normal_speed, spin};
+          impact.contact.integrator = integrator;
+          const Outcome o = impact.by_engine(duration, 400);
+          for (const double error :
+               {o.velocity_x - last.velocity_x, o.velocity_z - last.velocity_z, (o.spin - last.spin) * radius})
+            EXPECT_LT(std::abs(error), 1.5e-3 * v)
+                << name_of(integrator) << ", e = " << e << ", " << degrees << "°, spin " << spin;
         }
-    printf("maw %s %.2e %.2e\n", name_of(integrator), worst[0], worst[1]);
-  }
+      }
 }
 
-// Two spheres that are each other's image turned by half a turn about the contact meet as each meets a wall of twice the
-// stiffness (the idea of Chung & Ooi 2011, test 8). They turn about each other by some δ/r meanwhile.
+// Two spheres that are each other's image turned by half a turn about the contact meet as each meets a wall of twice
+// the stiffness (the idea of Chung & Ooi 2011, test 8). They turn about each other by some δ/r meanwhile.
 TEST(ObliqueImpact, PairOfSpheresIsAWallForEach) {
   for (const Integrator integrator : all_integrators)
     for (const double v_x : {0.01, 0.05, 0.2})
       for (const double spin : {0.0, 30.0}) {
         Contact contact;
         contact.integrator = integrator;
-        contact.stiffness = 1e6;
+        contact.stiffness = 1e8;
         contact.restitution = 0.8;
         contact.sliding_friction = 0.3;
-        contact.time_step = LinearSpringDashpot::contact_time(2e6, 0.8, mass) / 200.5;
-        const double v_z = 0.1, gap = 2.5 * contact.time_step * v_z;
-        Engine pair = engine_with(
-            contact, {},
-            {{{0, 0, radius + gap}, {v_x, 0, -v_z}, {0, spin, 0}, radius, density},
-             {{0, 0, -radius - gap}, {-v_x, 0, v_z}, {0, spin, 0}, radius, density}});
-        contact.stiffness = 2e6;
+        contact.time_step = LinearSpringDashpot::contact_time(2e8, 0.8, mass) / 200.5;
+        const double v_z = 0.1, gap = 2.41 * contact.time_step * v_z;
+        Engine pair = engine_with(contact, {},
+                                  {{{0, 0, radius + gap}, {v_x, 0, -v_z}, {0, spin, 0}, radius, density},
+                                   {{0, 0, -radius - gap}, {-v_x, 0, v_z}, {0, spin, 0}, radius, density}});
+        contact.stiffness = 2e8;
         Engine wall = engine_with(contact, {floor_at_zero},
                                   {{{0, 0, radius + gap}, {v_x, 0, -v_z}, {0, spin, 0}, radius, density}});
         for (Engine* engine : {&pair, &wall}) engine->advance(300);
         const Vec3 difference = at(pair.particles.velocity, 0) - at(wall.particles.velocity, 0);
-        const double turn = norm(difference)/v_z + std::abs(pair.particles.angular_velocity.y[0] - wall.particles.angular_velocity.y[0])*radius/v_z;
-        printf("pair %s %g %g %.2e\n", name_of(integrator), v_x, spin, turn);
+        const double spins = pair.particles.angular_velocity.y[0] - wall.particles.angular_velocity.y[0];
+        const double turn = (v_x + spin * radius) * 200.0 * contact.time_step / radius;
+        EXPECT_LT(norm(difference) + radius * std::abs(spins), 4.0 * turn * v_z)
+            << name_of(integrator) << " " << v_x << " " << spin;
         EXPECT_NEAR(pair.particles.velocity.x[1], -pair.particles.velocity.x[0], 1e-13 * v_z);
       }
 }

@@ -22,7 +22,7 @@ constexpr double radius = 0.0025, density = 2230.0;
 /// the overlap is δ(t) = depth + A e^{−ζω_0 t} cos(ωt) + B e^{−ζω_0 t} sin(ωt), whatever the amplitude.
 struct Oscillator {
   double restitution = 1.0, stiffness = 1e4, depth = 2e-5, amplitude = 5e-6;
-  double mass[2] = {density * Particles::volume_of(radius), 2.0 * density * Particles::volume_of(0.8 * radius)};
+  double mass[2] = {density * Particles::volume_of(radius), 2.0 * density* Particles::volume_of(0.8 * radius)};
 
   [[nodiscard]] double effective_mass() const { return mass[0] * mass[1] / (mass[0] + mass[1]); }
   [[nodiscard]] double zeta() const { return damping_ratio(restitution); }
@@ -51,8 +51,8 @@ struct Oscillator {
     contact.integrator = integrator;
     contact.time_step = time_step;
     const double r1 = 0.8 * radius, distance = radius + r1 - depth - amplitude;
-    Engine engine = engine_with(contact, {},
-                                {{{0, 0, 0}, {}, {}, radius, density}, {{distance, 0, 0}, {}, {}, r1, 2.0 * density}});
+    Engine engine =
+        engine_with(contact, {}, {{{0, 0, 0}, {}, {}, radius, density}, {{distance, 0, 0}, {}, {}, r1, 2.0 * density}});
     engine.step();
     Engine::Memory memory = engine.memory();
     Particles particles = engine.particles;
@@ -100,34 +100,44 @@ TEST(Integrators, HaveTheirOrders) {
         velocity.push_back(std::abs(oscillator.approach(engine) - exact[1]) /
                            (oscillator.amplitude * oscillator.omega_0()));
       }
-      printf("order e %.1f %s pos %.2f (%.1e .. %.1e) vel %.2f (%.1e .. %.1e)\n",e,name_of(integrator),order_of(position),position[0],position[3],order_of(velocity),velocity[0],velocity[3]);
+      const double order = integrator == Integrator::symplectic_euler ? 1.0
+                           : integrator == Integrator::gear           ? 4.0
+                                                                      : 2.0;
+      EXPECT_NEAR(order_of(position), order, 0.1) << name_of(integrator) << ", e = " << e;
+      // Velocities of symplectic Euler are of second order in the middle of their step.
+      EXPECT_GT(order_of(velocity), order - 0.05) << name_of(integrator) << ", e = " << e;
+      EXPECT_LT(position.back(), integrator == Integrator::symplectic_euler ? 2e-2 : order == 2.0 ? 1e-4 : 1e-8);
     }
 }
 
-// Without damping the symplectic ones keep the energy within a bound, however long; 20 steps per period.
-TEST(Integrators, EnergyDrift) {
-  for (const Integrator integrator : all_integrators) {
+// Without damping the symplectic ones keep the energy within a bound, however long: 5000 periods of 20 steps. Gear does
+// not: undamped, its energy grows 4700-fold in these steps, by a fifth at 40 per period and by 1e-3 at 100.
+TEST(Integrators, KeepTheEnergyIfSymplectic) {
+  const auto energies = [](Integrator integrator, double steps_per_period) {
     const Oscillator oscillator;
-    Engine engine = oscillator.engine(integrator, oscillator.period() / 20.0);
-    const auto energy = [&] {
-      const double y = oscillator.overlap(engine) - oscillator.depth, v = oscillator.approach(engine);
-      return (oscillator.stiffness * y * y + oscillator.effective_mass() * v * v) /
-             (oscillator.stiffness * oscillator.amplitude * oscillator.amplitude);
-    };
-    double first = 0.0, last = 0.0, mean_first = 0.0, mean_last = 0.0;
-    const int batch = 1000;
-    const auto look = [&](double& largest, double& mean) {
-      for (int k = 0; k < batch; ++k) {
+    Engine engine = oscillator.engine(integrator, oscillator.period() / steps_per_period);
+    const auto largest_of_1000_steps = [&] {
+      double largest = 0.0;
+      for (int k = 0; k < 1000; ++k) {
         engine.step();
-        largest = std::max(largest, std::abs(energy() - 1.0));
-        mean += energy() / batch;
+        const double y = oscillator.overlap(engine) - oscillator.depth, v = oscillator.approach(engine);
+        largest = std::max(largest, oscillator.stiffness * y * y + oscillator.effective_mass() * v * v);
       }
+      return largest / (oscillator.stiffness * oscillator.amplitude * oscillator.amplitude);
     };
-    look(first, mean_first);
-    engine.advance(100000 - 2 * batch);
-    look(last, mean_last);
-    printf("drift %s first %.2e last %.2e means %.8f %.8f\n",name_of(integrator),first,last,mean_first,mean_last);
+    const double first = largest_of_1000_steps();
+    engine.advance(98000);
+    return std::pair{first, largest_of_1000_steps()};
+  };
+  for (const Integrator integrator :
+       {Integrator::symplectic_euler, Integrator::velocity_verlet, Integrator::position_verlet}) {
+    const auto [first, last] = energies(integrator, 20.3);
+    // Symplectic Euler errs by ω Δt/2 at most, Verlet by (ω Δt)²/4.
+    EXPECT_LT(first - 1.0, integrator == Integrator::symplectic_euler ? 0.25 : 0.03) << name_of(integrator);
+    EXPECT_NEAR(last, first, 1e-3) << name_of(integrator);
   }
+  const auto [first, last] = energies(Integrator::gear, 100.3);
+  EXPECT_LT(last - 1.0, 2e-3);
 }
 
 // --- momentum --------------------------------------------------------------------------------------------------------
@@ -145,8 +155,8 @@ Momentum momentum_of(const Particles& p) {
   return sum;
 }
 
-// Newton's third law: oblique impact of unequal spinning spheres that slip and roll on each other. The lever arms add up
-// to the distance of the centres, so the angular momentum is kept as well. Gear corrects positions apart from the
+// Newton's third law: oblique impact of unequal spinning spheres that slip and roll on each other. The lever arms add
+// up to the distance of the centres, so the angular momentum is kept as well. Gear corrects positions apart from the
 // momenta, so it keeps the angular momentum only to its order.
 TEST(Momentum, IsConserved) {
   struct Rolling {
@@ -155,9 +165,9 @@ TEST(Momentum, IsConserved) {
   };
   for (const ContactLaw law : {ContactLaw::linear, ContactLaw::hertz})
     for (const Integrator integrator : all_integrators)
-      for (const Rolling& rolling : {Rolling{0.0, RollingModel::constant_torque},
-                                     Rolling{0.1, RollingModel::constant_torque},
-                                     Rolling{0.1, RollingModel::elastic_plastic}}) {
+      for (const Rolling& rolling :
+           {Rolling{0.0, RollingModel::constant_torque}, Rolling{0.1, RollingModel::constant_torque},
+            Rolling{0.1, RollingModel::elastic_plastic}}) {
         Contact contact;
         contact.law = law;
         contact.stiffness = 1e4;
@@ -169,13 +179,14 @@ TEST(Momentum, IsConserved) {
         contact.rolling_radius = RollingRadius::reduced;
         contact.integrator = integrator;
         contact.time_step = 5e-6;
-        Engine engine = engine_with(contact, {},
-                                    {{{0.6 * -radius, 0, 0.8 * -radius}, {0.06, 0.05, 0.08}, {0, 5, -10}, radius, density},
-                                     {{0.6 * 1.501 * radius, 0, 0.8 * 1.501 * radius},
-                                      {-0.03, 0.02, -0.04},
-                                      {30, -8, 0},
-                                      1.5 * radius,
-                                      3.0 * density}});
+        Engine engine =
+            engine_with(contact, {},
+                        {{{0.6 * -radius, 0, 0.8 * -radius}, {0.06, 0.05, 0.08}, {0, 5, -10}, radius, density},
+                         {{0.6 * 1.501 * radius, 0, 0.8 * 1.501 * radius},
+                          {-0.03, 0.02, -0.04},
+                          {30, -8, 0},
+                          1.5 * radius,
+                          3.0 * density}});
         const Momentum before = momentum_of(engine.particles);
         engine.advance(400);
         ASSERT_EQ(engine.contact_events(0), 1);
@@ -183,7 +194,9 @@ TEST(Momentum, IsConserved) {
         const Momentum after = momentum_of(engine.particles);
         const double scale = engine.particles.mass[1] * 0.1;
         EXPECT_LT(norm(after.linear - before.linear), 1e-13 * scale) << name_of(law) << ", " << name_of(integrator);
-        printf("angmom %s %s %g: %.2e\n", name_of(law), name_of(integrator), rolling.friction, norm(after.angular - before.angular)/(scale*radius));
+        EXPECT_LT(norm(after.angular - before.angular),
+                  (integrator == Integrator::gear ? 1e-9 : 1e-13) * scale * radius)
+            << name_of(law) << ", " << name_of(integrator) << ", rolling friction " << rolling.friction;
       }
 }
 
@@ -197,8 +210,9 @@ struct Account {
 
 /// Oblique impact with spin of a sphere on the floor, account by account of each step.
 std::vector<Account> accounts(const Contact& contact, Vec3 velocity, Vec3 spin) {
-  Engine engine = engine_with(contact, {floor_at_zero},
-                              {{{0, 0, radius - 2.5 * contact.time_step * velocity.z}, velocity, spin, radius, density}});
+  Engine engine =
+      engine_with(contact, {floor_at_zero},
+                  {{{0, 0, radius - 2.5 * contact.time_step * velocity.z}, velocity, spin, radius, density}});
   const Particles& p = engine.particles;
   const double mass = p.mass[0], inertia = p.inertia(0);
   std::vector<Account> all;
@@ -230,10 +244,11 @@ TEST(Energy, IsAccountedFor) {
   struct Case {
     Vec3 velocity, spin;
     double friction;
+    bool slides;
   };
   for (const Integrator integrator : {Integrator::velocity_verlet, Integrator::gear})
-    for (const Case& c : {Case{{0, 0, -0.1}, {}, 0.0}, Case{{0.05, 0.02, -0.1}, {10, 20, 30}, 0.3},
-                          Case{{0.3, 0, -0.1}, {}, 0.1}}) {
+    for (const Case& c : {Case{{0, 0, -0.1}, {}, 0.0, false}, Case{{0.05, 0.02, -0.1}, {10, 20, 30}, 0.3, false},
+                          Case{{0.3, 0, -0.1}, {}, 0.1, true}}) {
       Contact contact;
       contact.stiffness = 1e4;
       contact.restitution = 0.7;
@@ -242,14 +257,23 @@ TEST(Energy, IsAccountedFor) {
       contact.time_step = 5e-7;
       const auto all = accounts(contact, c.velocity, c.spin);
       const double input = all.front().kinetic;
-      double largest=0, back=0, dissipated = 0.0;
+      const double normal = 0.5 * density * Particles::volume_of(radius) * c.velocity.z * c.velocity.z;
+      double dissipated = 0.0;
       for (const Account& a : all) {
-        largest=std::max(largest,std::abs(a.kinetic + a.work-input)/input);
-        // The dashpots and the sliding only take.
-        back=std::max(back,(dissipated-(a.work - a.elastic))/input);
+        EXPECT_NEAR(a.kinetic + a.work, input, 1e-3 * input) << name_of(integrator);
+        // What the wall took and no spring holds is heat. A contact that slides from the start is left out: there the
+        // dashpot is above the limit, and the spring that carries the difference comes wound out of nothing.
+        if (!c.slides) {
+          EXPECT_GE(a.work - a.elastic, dissipated - 1e-9 * input) << name_of(integrator);
+        }
         dissipated = a.work - a.elastic;
       }
-      printf("energy %s: %.2e back %.2e dissipated %.4f expected %.4f\n",name_of(integrator),largest,back,dissipated/input, 1-.49);
+      EXPECT_NEAR(all.back().elastic, 0.0, 1e-6 * input);
+      if (c.friction == 0.0) {
+        EXPECT_NEAR(dissipated, (1.0 - 0.7 * 0.7) * normal, 1e-3 * input) << name_of(integrator);
+      } else {
+        EXPECT_GT(dissipated, 0.05 * input) << name_of(integrator);
+      }
     }
 }
 
