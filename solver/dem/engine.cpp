@@ -222,6 +222,11 @@ void Engine::number_order() {
   if (list_valid_) permute(integrator_, slot_of_, integrator_rows_, row_scratch_);
 }
 
+bool Engine::moved_by_caller(std::size_t s) const {
+  const Vec3 x = load(particles.position, order_[s]);
+  return x.x != place_[s].x || x.y != place_[s].y || x.z != place_[s].z;
+}
+
 /// Takes the state from `particles`; where somebody has moved a sphere, the list is looked at before the next step.
 void Engine::pack() {
   for (std::size_t s = 0; s < particles.size(); ++s) {
@@ -229,8 +234,7 @@ void Engine::pack() {
     const Vec3 x = load(particles.position, i), v = load(particles.velocity, i),
                w = load(particles.angular_velocity, i);
     const double inverse_mass = 1.0 / particles.mass[i];
-    if (x.x != place_[s].x || x.y != place_[s].y || x.z != place_[s].z)
-      travel_ = std::numeric_limits<double>::infinity();
+    if (moved_by_caller(s)) travel_ = std::numeric_limits<double>::infinity();
     place_[s] = {x.x, x.y, x.z, particles.radius[i]};
     velocity_[s] = {v.x, v.y, v.z, inverse_mass};
     spin_[s] = {w.x, w.y, w.z, inverse_mass / (0.4 * particles.radius[i] * particles.radius[i])};
@@ -854,6 +858,8 @@ Engine::Memory Engine::memory() const {
   for (std::size_t s = 0; s < origin_.size(); ++s) store(memory.list_position, order_[s], origin_[s].vector());
   memory.skin = skin_;
   memory.travel = travel_;
+  for (std::size_t s = 0; list_valid_ && s < place_.size(); ++s)
+    if (moved_by_caller(s)) memory.travel = std::numeric_limits<double>::infinity();
   memory.margin = margin_;
   memory.list_step = list_step_;
   memory.steps = steps_;

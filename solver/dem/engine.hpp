@@ -127,6 +127,7 @@ class Engine {
 
   void resize_particle_arrays();
   void number_order();
+  [[nodiscard]] bool moved_by_caller(std::size_t slot) const;
   void pack();
   void unpack(std::int64_t steps);
 

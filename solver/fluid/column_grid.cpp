@@ -2,68 +2,59 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 namespace slfb::fluid {
 namespace {
 
-/// Area of the circle's part with x <= a and y <= b.
-double quadrant_area(double r, double a, double b) {
+/// ∫ xⁿ dA over the circle's part with x <= a and y <= b: its area (n = 0) or its moment (n = 1).
+double quadrant_moment(int n, double r, double a, double b) {
   if (a <= -r || b <= -r) return 0.0;
   a = std::min(a, r);
   b = std::min(b, r);
-  // ∫ over x from −r to a of the chord below b. Antiderivative of √(r² − x²).
-  const auto primitive = [r](double x) {
-    const double c = std::clamp(x / r, -1.0, 1.0);
-    return 0.5 * r * r * (c * std::sqrt(std::max(0.0, 1.0 - c * c)) + std::asin(c));
+  // ∫ over x from −r to a of xⁿ times the chord below b. Antiderivatives of xⁿ √(r² − x²) and xⁿ.
+  const auto primitive = [n, r](double x) {
+    const double c = std::clamp(x / r, -1.0, 1.0), root = std::sqrt(std::max(0.0, 1.0 - c * c));
+    return n == 0 ? 0.5 * r * r * (c * root + std::asin(c)) : -std::pow(r * root, 3) / 3.0;
   };
+  const auto power = [n](double x) { return n == 0 ? x : 0.5 * x * x; };
   // Where |x| > x_b the chord's upper end √(r² − x²) lies below |b|.
-  const double x_b = std::sqrt(std::max(0.0, r * r - b * b));
+  const double x_b = std::sqrt(std::max(0.0, r * r - b * b)), inner_end = std::min(a, x_b);
   const auto between = [&](double x0, double x1) { return x1 > x0 ? primitive(x1) - primitive(x0) : 0.0; };
   const double outer = between(-r, std::min(a, -x_b)) + between(x_b, a);
-  const double inner_width = std::max(0.0, std::min(a, x_b) + x_b);
-  const double inner = a > -x_b ? between(-x_b, std::min(a, x_b)) + b * inner_width : 0.0;
+  const double inner = a > -x_b ? between(-x_b, inner_end) + b * (power(inner_end) - power(-x_b)) : 0.0;
   return b >= 0.0 ? 2.0 * outer + inner : inner;
 }
 
-/// Length of the part of the segment y = const from x0 to x1 inside the circle.
-double segment_inside(double r, double y, double x0, double x1) {
-  if (std::abs(y) >= r) return 0.0;
-  const double half = std::sqrt(r * r - y * y);
-  return std::max(0.0, std::min(x1, half) - std::max(x0, -half));
+/// ∫ xⁿ dA over the part of a rectangle inside the circle.
+double rectangle_moment(int n, double r, double x0, double x1, double y0, double y1) {
+  return quadrant_moment(n, r, x1, y1) - quadrant_moment(n, r, x0, y1) - quadrant_moment(n, r, x1, y0) +
+         quadrant_moment(n, r, x0, y0);
 }
 
-/// Length of the circle inside the rectangle.
-double arc_inside(double r, double x0, double x1, double y0, double y1) {
-  std::vector<double> cuts{-std::numbers::pi, std::numbers::pi};
-  for (double x : {x0, x1})
-    if (std::abs(x) < r) cuts.insert(cuts.end(), {std::acos(x / r), -std::acos(x / r)});
-  for (double y : {y0, y1})
-    if (std::abs(y) < r) {
-      const double angle = std::asin(y / r);
-      cuts.push_back(angle);
-      cuts.push_back(angle >= 0.0 ? std::numbers::pi - angle : -std::numbers::pi - angle);
-    }
-  std::sort(cuts.begin(), cuts.end());
-  double length = 0.0;
-  for (std::size_t k = 0; k + 1 < cuts.size(); ++k) {
-    const double middle = 0.5 * (cuts[k] + cuts[k + 1]);
-    const double x = r * std::cos(middle), y = r * std::sin(middle);
-    if (x > x0 && x < x1 && y > y0 && y < y1) length += r * (cuts[k + 1] - cuts[k]);
-  }
-  return length;
+/// Part of the segment y = const from x0 to x1 inside the circle; its end is not above its start where there is none.
+std::array<double, 2> segment_inside(double r, double y, double x0, double x1) {
+  const double half = std::sqrt(std::max(0.0, r * r - y * y));
+  return {std::max(x0, -half), std::min(x1, half)};
 }
 
 }  // namespace
 
 double circle_rectangle_area(double radius, double x0, double x1, double y0, double y1) {
-  return quadrant_area(radius, x1, y1) - quadrant_area(radius, x0, y1) - quadrant_area(radius, x1, y0) +
-         quadrant_area(radius, x0, y0);
+  return rectangle_moment(0, radius, x0, x1, y0, y1);
 }
 
 bool ColumnGrid::square_inside(int ix, int iy) const {
   if (!cylinder_) return true;
   return std::hypot(lower_[0] + (ix + 0.5) * spacing_[0], lower_[1] + (iy + 0.5) * spacing_[1]) < radius_;
+}
+
+double ColumnGrid::wall_distance(const std::array<double, 2>& point, std::size_t axis, std::size_t side) const {
+  if (periodic_ || squares_[axis] == 1) return std::numeric_limits<double>::infinity();
+  const double half =
+      cylinder_ ? std::sqrt(std::max(0.0, radius_ * radius_ - point[1 - axis] * point[1 - axis])) : -lower_[axis];
+  return side == 0 ? point[axis] + half : half - point[axis];
 }
 
 ColumnGrid::ColumnGrid(const Scene& scene) {
@@ -73,21 +64,22 @@ ColumnGrid::ColumnGrid(const Scene& scene) {
   const int across = scene.fluid.tier == FluidTier::three_dimensional ? scene.fluid.cells_across : 1;
   const std::array<double, 2> extent =
       cylinder_ ? std::array<double, 2>{geometry.diameter, geometry.diameter} : geometry.width;
-  width_ = extent[0] / across;
+  const double width = extent[0] / across;
   layers_ = std::max(1, static_cast<int>(std::lround(geometry.height / scene.fluid.cell_height)));
   height_ = geometry.height / layers_;
-  squares_ = {across, std::max(1, static_cast<int>(std::lround(extent[1] / width_)))};
+  squares_ = {across, std::max(1, static_cast<int>(std::lround(extent[1] / width)))};
   if (scene.fluid.tier != FluidTier::three_dimensional) squares_[1] = 1;
   for (std::size_t a = 0; a < 2; ++a) {
     lower_[a] = -0.5 * extent[a];
     spacing_[a] = extent[a] / squares_[a];
   }
-  radius_ = 0.5 * geometry.diameter;
+  radius_ = cylinder_ ? 0.5 * geometry.diameter : 0.0;
   section_area_ = cylinder_ ? std::numbers::pi * radius_ * radius_ : extent[0] * extent[1];
 
   const auto nx = static_cast<std::size_t>(squares_[0]), ny = static_cast<std::size_t>(squares_[1]);
   struct Square {
-    double area = 0.0, arc = 0.0, centroid_x = 0.0, centroid_y = 0.0;
+    double area = 0.0;
+    std::array<double, 2> centre{}, centroid{};
     int master = -1;  ///< index of the square this one is joined to, or itself
   };
   std::vector<Square> square(nx * ny);
@@ -100,31 +92,12 @@ ColumnGrid::ColumnGrid(const Scene& scene) {
     for (std::size_t ix = 0; ix < nx; ++ix) {
       Square& s = square[iy * nx + ix];
       const double x0 = edge(0, ix), x1 = edge(0, ix + 1), y0 = edge(1, iy), y1 = edge(1, iy + 1);
-      s.centroid_x = 0.5 * (x0 + x1);
-      s.centroid_y = 0.5 * (y0 + y1);
+      s.centre = {0.5 * (x0 + x1), 0.5 * (y0 + y1)};
+      s.centroid = s.centre;
       s.area = cut ? circle_rectangle_area(radius_, x0, x1, y0, y1) : (cylinder_ ? section_area_ : full);
-      if (cut) {
-        s.arc = arc_inside(radius_, x0, x1, y0, y1);
-        if (s.arc > 0.0 && s.area > 0.0) {
-          // First moments by slices across x, fine enough for a wall distance.
-          constexpr int slices = 200;
-          double mx = 0.0, my = 0.0, sum = 0.0;
-          for (int k = 0; k < slices; ++k) {
-            const double x = x0 + (k + 0.5) * (x1 - x0) / slices;
-            if (std::abs(x) >= radius_) continue;
-            const double half = std::sqrt(radius_ * radius_ - x * x);
-            const double bottom = std::max(y0, -half), top = std::min(y1, half);
-            if (top <= bottom) continue;
-            sum += top - bottom;
-            mx += x * (top - bottom);
-            my += 0.5 * (top * top - bottom * bottom);
-          }
-          if (sum > 0.0) {
-            s.centroid_x = mx / sum;
-            s.centroid_y = my / sum;
-          }
-        }
-      }
+      if (cut && s.area > 0.0 && s.area < full * (1.0 - 1e-12))
+        s.centroid = {rectangle_moment(1, radius_, x0, x1, y0, y1) / s.area,
+                      rectangle_moment(1, radius_, y0, y1, x0, x1) / s.area};
     }
   const auto neighbour = [&](std::size_t ix, std::size_t iy, std::size_t axis, int shift) -> int {
     int k[2] = {static_cast<int>(ix), static_cast<int>(iy)};
@@ -132,6 +105,12 @@ ColumnGrid::ColumnGrid(const Scene& scene) {
     if (periodic_ && squares_[axis] > 1) k[axis] = (k[axis] + squares_[axis]) % squares_[axis];
     if (k[axis] < 0 || k[axis] >= squares_[axis]) return -1;
     return k[1] * squares_[0] + k[0];
+  };
+  /// Wetted part of the line across `axis` at the upper (shift 1) or lower side of a square.
+  const auto wetted = [&](std::size_t ix, std::size_t iy, std::size_t axis, int shift) -> std::array<double, 2> {
+    const std::size_t line = (axis == 0 ? ix : iy) + (shift > 0 ? 1 : 0), along = axis == 0 ? iy : ix;
+    const double start = edge(1 - axis, along), end = edge(1 - axis, along + 1);
+    return cut ? segment_inside(radius_, edge(axis, line), start, end) : std::array<double, 2>{start, end};
   };
   // Join small cut squares to the neighbour with the longest shared face.
   constexpr double smallest_share = 0.5;
@@ -147,9 +126,8 @@ ColumnGrid::ColumnGrid(const Scene& scene) {
           for (int shift : {-1, 1}) {
             const int n = neighbour(ix, iy, axis, shift);
             if (n < 0 || square[static_cast<std::size_t>(n)].master != n) continue;
-            const std::size_t line = (axis == 0 ? ix : iy) + (shift > 0 ? 1 : 0);
-            const double shared = axis == 0 ? segment_inside(radius_, edge(0, line), edge(1, iy), edge(1, iy + 1))
-                                            : segment_inside(radius_, edge(1, line), edge(0, ix), edge(0, ix + 1));
+            const auto [start, end] = wetted(ix, iy, axis, shift);
+            const double shared = end - start;
             if (shared > longest) {
               longest = shared;
               s.master = n;
@@ -163,40 +141,32 @@ ColumnGrid::ColumnGrid(const Scene& scene) {
     double nearest = 1e300;
     for (std::size_t m = 0; m < square.size(); ++m) {
       if (square[m].master != static_cast<int>(m) || square[m].area < smallest_share * full) continue;
-      const double d =
-          std::hypot(square[m].centroid_x - square[q].centroid_x, square[m].centroid_y - square[q].centroid_y);
+      const double d = std::hypot(square[m].centre[0] - square[q].centre[0], square[m].centre[1] - square[q].centre[1]);
       if (d < nearest) {
         nearest = d;
         square[q].master = static_cast<int>(m);
       }
     }
   }
-  // Number the cells; add up joined areas, walls and centroids.
+  // Number the cells and add up joined areas. A cell's own square is at least half inside, so its centre is inside.
   std::vector<int> number(square.size(), -1);
   for (std::size_t q = 0; q < square.size(); ++q)
     if (square[q].master == static_cast<int>(q)) {
       number[q] = cells();
       area_.push_back(0.0);
+      centre_.push_back(square[q].centre);
+      centroid_.push_back({0.0, 0.0});
     }
   const auto count = area_.size();
-  wall_length_.assign(count, 0.0);
-  wall_distance_.assign(count, 0.0);
-  std::vector<double> centroid_x(count, 0.0), centroid_y(count, 0.0);
   cell_of_square_.resize(square.size());
   for (std::size_t q = 0; q < square.size(); ++q) {
-    const int cell = number[static_cast<std::size_t>(square[q].master)];
-    cell_of_square_[q] = cell;
-    const auto c = static_cast<std::size_t>(cell);
+    cell_of_square_[q] = number[static_cast<std::size_t>(square[q].master)];
+    const auto c = static_cast<std::size_t>(cell_of_square_[q]);
     area_[c] += square[q].area;
-    wall_length_[c] += square[q].arc;
-    centroid_x[c] += square[q].area * square[q].centroid_x;
-    centroid_y[c] += square[q].area * square[q].centroid_y;
+    for (std::size_t a = 0; a < 2; ++a) centroid_[c][a] += square[q].area * square[q].centroid[a];
   }
-  for (std::size_t c = 0; c < count; ++c) {
-    centroid_x[c] /= area_[c];
-    centroid_y[c] /= area_[c];
-    if (cut) wall_distance_[c] = radius_ - std::hypot(centroid_x[c], centroid_y[c]);
-  }
+  for (std::size_t c = 0; c < count; ++c)
+    for (double& coordinate : centroid_[c]) coordinate /= area_[c];
   // Faces between different cells whose own squares meet; a joined sliver keeps only its vertical connection.
   for (std::size_t axis : {std::size_t{0}, std::size_t{1}}) {
     face_of_[axis].assign(2 * count, -1);
@@ -205,29 +175,13 @@ ColumnGrid::ColumnGrid(const Scene& scene) {
         const std::size_t q = iy * nx + ix;
         if (number[q] < 0) continue;
         const int n = neighbour(ix, iy, axis, 1);
-        const bool wall = n < 0;
-        if (!wall && number[static_cast<std::size_t>(n)] >= 0 && n != static_cast<int>(q)) {
-          const int a = number[q], b = number[static_cast<std::size_t>(n)];
-          const std::size_t line = (axis == 0 ? ix : iy) + 1;
-          const double length =
-              !cut ? spacing_[1 - axis]
-                   : (axis == 0 ? segment_inside(radius_, edge(0, line), edge(1, iy), edge(1, iy + 1))
-                                : segment_inside(radius_, edge(1, line), edge(0, ix), edge(0, ix + 1)));
-          if (length > 0.0) {
-            face_of_[axis][2 * static_cast<std::size_t>(a) + 1] = static_cast<int>(faces_[axis].size());
-            face_of_[axis][2 * static_cast<std::size_t>(b)] = static_cast<int>(faces_[axis].size());
-            faces_[axis].push_back({a, b, length, spacing_[axis]});
-          }
-        }
-        if (!cylinder_ && !periodic_ && scene.fluid.tier == FluidTier::three_dimensional) {
-          // Box walls: full length, half a cell away.
-          const auto c = static_cast<std::size_t>(number[q]);
-          for (int shift : {-1, 1})
-            if (neighbour(ix, iy, axis, shift) < 0) {
-              wall_length_[c] += spacing_[1 - axis];
-              wall_distance_[c] = 0.5 * spacing_[axis];
-            }
-        }
+        if (n < 0 || number[static_cast<std::size_t>(n)] < 0 || n == static_cast<int>(q)) continue;
+        const int a = number[q], b = number[static_cast<std::size_t>(n)];
+        const auto [start, end] = wetted(ix, iy, axis, 1);
+        if (end <= start) continue;
+        face_of_[axis][2 * static_cast<std::size_t>(a) + 1] = static_cast<int>(faces_[axis].size());
+        face_of_[axis][2 * static_cast<std::size_t>(b)] = static_cast<int>(faces_[axis].size());
+        faces_[axis].push_back({a, b, end - start, 0.5 * (start + end)});
       }
   }
 }

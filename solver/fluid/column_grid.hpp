@@ -21,13 +21,14 @@ class ColumnGrid {
   struct Face {
     int first, second;  ///< cells on the lower and the upper side along the axis
     double length;      ///< wetted length of the face in the section [m]
-    double distance;    ///< between the centroids along the axis [m]
+    double middle;      ///< of the wetted length, across the axis [m]
   };
 
   [[nodiscard]] int cells() const { return static_cast<int>(area_.size()); }
   [[nodiscard]] int layers() const { return layers_; }
-  [[nodiscard]] double cell_width() const { return width_; }
   [[nodiscard]] double cell_height() const { return height_; }
+  /// Width of a square along an axis [m]; both are equal except where a box is not a whole number of squares deep.
+  [[nodiscard]] double spacing(std::size_t axis) const { return spacing_[axis]; }
   [[nodiscard]] double column_height() const { return height_ * layers_; }
   [[nodiscard]] int squares(std::size_t axis) const { return squares_[axis]; }
   [[nodiscard]] double lower(std::size_t axis) const { return lower_[axis]; }
@@ -35,10 +36,13 @@ class ColumnGrid {
   [[nodiscard]] double area(int cell) const { return area_[static_cast<std::size_t>(cell)]; }
   [[nodiscard]] double volume(int cell) const { return area(cell) * height_; }
   [[nodiscard]] const std::vector<double>& areas() const { return area_; }
-  /// Length of the wall in a cell [m]; 0 away from walls.
-  [[nodiscard]] double wall_length(int cell) const { return wall_length_[static_cast<std::size_t>(cell)]; }
-  /// Distance from the wall to the cell's centroid [m].
-  [[nodiscard]] double wall_distance(int cell) const { return wall_distance_[static_cast<std::size_t>(cell)]; }
+  /// Centre of the cell's own square, which lies inside the wall [m].
+  [[nodiscard]] std::array<double, 2> centre(int cell) const { return centre_[static_cast<std::size_t>(cell)]; }
+  /// Centroid of the cell with what is joined to it [m].
+  [[nodiscard]] std::array<double, 2> centroid(int cell) const { return centroid_[static_cast<std::size_t>(cell)]; }
+  /// Distance along an axis from a point of the section to the wall below (side 0) or above (side 1) it [m]; infinite
+  /// where no wall can be felt: across a periodic direction, and across a single cell, where the flow is plane.
+  [[nodiscard]] double wall_distance(const std::array<double, 2>& point, std::size_t axis, std::size_t side) const;
   /// Faces across x (axis 0) or y (axis 1).
   [[nodiscard]] const std::vector<Face>& faces(std::size_t axis) const { return faces_[axis]; }
   /// Face below (side 0) or above (side 1) a cell along an axis; -1 at a wall.
@@ -51,6 +55,8 @@ class ColumnGrid {
   }
   /// True if the centre of the square lies inside the column.
   [[nodiscard]] bool square_inside(int ix, int iy) const;
+  /// Radius of the round wall [m]; 0 for a box.
+  [[nodiscard]] double radius() const { return radius_; }
   [[nodiscard]] bool periodic() const { return periodic_; }
   [[nodiscard]] std::size_t size() const { return static_cast<std::size_t>(cells() * layers_); }
 
@@ -58,17 +64,14 @@ class ColumnGrid {
   bool cylinder_ = true, periodic_ = false;
   double radius_ = 0.0;
   int layers_ = 1;
-  double width_ = 0.0, height_ = 0.0, section_area_ = 0.0;
+  double height_ = 0.0, section_area_ = 0.0;
   std::array<int, 2> squares_{1, 1};
   std::array<double, 2> lower_{0.0, 0.0}, spacing_{0.0, 0.0};
-  std::vector<double> area_, wall_length_, wall_distance_;
+  std::vector<double> area_;
+  std::vector<std::array<double, 2>> centre_, centroid_;
   std::array<std::vector<Face>, 2> faces_;
   std::array<std::vector<int>, 2> face_of_;
   std::vector<int> cell_of_square_;
-
- public:
-  /// Width of a square along an axis [m]; both are equal except where a box is not a whole number of squares deep.
-  [[nodiscard]] double spacing(std::size_t axis) const { return spacing_[axis]; }
 };
 
 /// Area of the part of the rectangle [x0, x1] x [y0, y1] inside the circle of radius R about the origin [m²]; exact.

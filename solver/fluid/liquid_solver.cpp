@@ -16,9 +16,30 @@ std::size_t index(int section, int level, int levels) {
 
 std::size_t as_index(int value) { return static_cast<std::size_t>(value); }
 
+/// Value at a face less the upwind one, from the nodes far upstream, upstream and downstream of it.
+template <ConvectionScheme scheme>
+double face_excess([[maybe_unused]] double far, double upstream, double downstream) {
+  if constexpr (scheme == ConvectionScheme::central) return 0.5 * (downstream - upstream);
+  if constexpr (scheme == ConvectionScheme::quick) return 0.375 * downstream - 0.25 * upstream - 0.125 * far;
+  if constexpr (scheme == ConvectionScheme::muscl) {
+    // Van Leer's limiter: the harmonic mean of both differences, 0 at an extremum.
+    const double behind = upstream - far, ahead = downstream - upstream, product = behind * ahead;
+    return product > 0.0 ? product / (behind + ahead) : 0.0;
+  }
+  return 0.0;
+}
+
+/// What a flow from the lower to the upper node carries beyond upwind; the outer nodes lie behind them.
+template <ConvectionScheme scheme>
+double carried_excess(double flow, double below_lower, double lower, double upper, double above_upper) {
+  const bool upwards = flow >= 0.0;
+  return flow *
+         face_excess<scheme>(upwards ? below_lower : above_upper, upwards ? lower : upper, upwards ? upper : lower);
+}
+
 }  // namespace
 
-LiquidSolver::LiquidSolver(const Scene& scene)
+LiquidSolver::LiquidSolver(const Scene& scene, bool closed)
     : grid_(scene),
       density_(scene.liquid.density),
       viscosity_(scene.liquid.viscosity),
@@ -27,39 +48,31 @@ LiquidSolver::LiquidSolver(const Scene& scene)
       simple_tolerance_(scene.fluid.simple_tolerance),
       wall_(scene.fluid.tier == FluidTier::three_dimensional ? scene.fluid.wall : LateralBoundary::slip),
       convection_(scene.fluid.convection),
+      time_scheme_(scene.fluid.time_scheme),
       pressure_velocity_(scene.fluid.pressure_velocity),
-      pressure_(grid_.size(), 0.0) {
+      closed_(closed),
+      pressure_(grid_.size(), 0.0),
+      volume_change_(grid_.size(), 0.0),
+      dilatation_(grid_.size(), 0.0) {
   for (std::size_t a = 0; a < 3; ++a) build_component(a);
+  change_.resize(as_index(grid_.layers()) + 1);
+  peak_.resize(change_.size());
   assemble_pattern();
 }
 
 void LiquidSolver::build_component(std::size_t a) {
   Component& c = component_[a];
   const int layers = grid_.layers();
-  const double height = grid_.cell_height();
-  const auto wall_ratio = [&](int cell) {
-    return wall_ == LateralBoundary::no_slip && grid_.wall_length(cell) > 0.0
-               ? grid_.wall_length(cell) / grid_.wall_distance(cell)
-               : 0.0;
-  };
   const auto across = [&](int cell, std::size_t axis, std::size_t side) {
     const int face = grid_.face_of(cell, axis, side);
     if (face < 0) return -1;
     const auto& f = grid_.faces(axis)[as_index(face)];
     return side == 0 ? f.first : f.second;
   };
-  if (a == vertical) {
-    c.sections = grid_.cells();
-    c.levels = layers + 1;
-    c.level_height.assign(as_index(c.levels), height);
-    c.level_height.front() = 0.0;  // the inlet face: velocity given
-    c.level_height[1] = layers == 1 ? height : 1.5 * height;
-    if (layers > 1) c.level_height.back() = 0.5 * height;
-  } else {
-    c.sections = static_cast<int>(grid_.faces(a).size());
-    c.levels = layers;
-    c.level_height.assign(as_index(c.levels), height);
-  }
+  c.sections = a == vertical ? grid_.cells() : static_cast<int>(grid_.faces(a).size());
+  c.levels = a == vertical ? layers + 1 : layers;
+  c.first = a == vertical ? 1 : 0;
+  c.last = a == vertical && closed_ ? layers - 1 : c.levels - 1;
   for (int s = 0; s < c.sections; ++s) {
     std::array<int, 4> neighbour{-1, -1, -1, -1};
     if (a == vertical) {
@@ -67,7 +80,6 @@ void LiquidSolver::build_component(std::size_t a) {
         for (std::size_t side : {std::size_t{0}, std::size_t{1}}) neighbour[2 * axis + side] = across(s, axis, side);
       c.owner.push_back({s, s});
       c.share.push_back({0.5, 0.5});
-      c.wall.push_back(wall_ratio(s));
     } else {
       const auto& face = grid_.faces(a)[as_index(s)];
       const std::size_t cross = 1 - a;
@@ -81,33 +93,115 @@ void LiquidSolver::build_component(std::size_t a) {
           neighbour[2 * cross + side] = candidate;
       }
       c.owner.push_back({face.first, face.second});
-      const double first_share = grid_.face_of(face.first, a, 0) >= 0 ? 0.5 : 1.0;
-      const double second_share = grid_.face_of(face.second, a, 1) >= 0 ? 0.5 : 1.0;
-      c.share.push_back({first_share, second_share});
-      c.wall.push_back(first_share * wall_ratio(face.first) + second_share * wall_ratio(face.second));
+      c.share.push_back(
+          {grid_.face_of(face.first, a, 0) >= 0 ? 0.5 : 1.0, grid_.face_of(face.second, a, 1) >= 0 ? 0.5 : 1.0});
     }
     c.neighbour.push_back(neighbour);
   }
-  // Lateral conductance per height of the links towards +x and +y: wetted length over distance.
-  for (std::size_t axis : {std::size_t{0}, std::size_t{1}}) {
-    c.lateral_conductance[axis].assign(as_index(c.sections), 0.0);
-    for (int s = 0; s < c.sections; ++s) {
-      if (c.neighbour[as_index(s)][2 * axis + 1] < 0) continue;
-      double length = grid_.spacing(1 - axis);
-      if (a == vertical) length = grid_.faces(axis)[as_index(grid_.face_of(s, axis, 1))].length;
-      c.lateral_conductance[axis][as_index(s)] = length / grid_.spacing(axis);
-    }
-  }
   const std::size_t n = as_index(c.sections) * as_index(c.levels);
-  for (auto* field : {&c.volume, &c.liquid_before, &c.liquid_now, &c.velocity, &c.previous, &c.pressure_gradient,
-                      &c.viscous, &c.diagonal, &c.right_hand_side, &c.next, &c.mobility})
+  for (auto* field :
+       {&c.volume, &c.fraction, &c.liquid_before, &c.liquid_now, &c.velocity, &c.previous, &c.pressure_gradient,
+        &c.viscous, &c.flow, &c.inertia, &c.diagonal, &c.right_hand_side, &c.next, &c.mobility})
     field->assign(n, 0.0);
   for (auto& flux : c.flux) flux.assign(n, 0.0);
+  for (auto& coefficient : c.coefficient) coefficient.assign(n, 0.0);
+  for (auto& end : c.end) end.assign(as_index(c.sections), 0.0);
   std::vector<double> volumes(grid_.size());
   for (int cell = 0; cell < grid_.cells(); ++cell)
     for (int k = 0; k < layers; ++k) volumes[index(cell, k, layers)] = grid_.volume(cell);
   scatter(a, volumes, c.volume);
-  if (a == vertical) std::fill(c.velocity.begin(), c.velocity.end(), superficial_velocity_);
+  if (a == vertical) {
+    std::fill(c.end[0].begin(), c.end[0].end(), superficial_velocity_);
+    for (int s = 0; s < c.sections; ++s)
+      for (int k = c.first; k <= c.last; ++k) c.velocity[index(s, k, c.levels)] = superficial_velocity_;
+  }
+  build_stencil(a);
+}
+
+/// Weights of ∇². Where the wall is nearer than the next node it takes its place at its own distance (Shortley and
+/// Weller 1938); past the outlet and slip walls the velocity goes on unchanged.
+///
+/// The differences are taken at the lattice points, while a node's velocity is the mean over its face, which the round
+/// wall may cut off centre. In between stands the part of the velocity that is left at the lattice point: the ratio of
+/// R² − r² there and at the centroid, as next to any wall without slip.
+void LiquidSolver::build_stencil(std::size_t a) {
+  Component& c = component_[a];
+  for (auto* weights : {&c.lateral, &c.mirror})
+    for (auto& weight : *weights) weight.assign(as_index(c.sections), 0.0);
+  c.own.assign(as_index(c.sections), 0.0);
+  const double radius = grid_.radius();
+  const auto lattice_point = [&](int s) {
+    auto point = grid_.centre(c.owner[as_index(s)][0]);
+    if (a != vertical) point[a] += 0.5 * grid_.spacing(a);
+    return point;
+  };
+  const auto part_at_lattice_point = [&](int s) {
+    if (radius == 0.0 || wall_ != LateralBoundary::no_slip || grid_.cells() == 1) return 1.0;
+    const auto point = lattice_point(s);
+    const auto mean = position(a, index(s, 0, c.levels));
+    return (radius * radius - point[0] * point[0] - point[1] * point[1]) /
+           (radius * radius - mean[0] * mean[0] - mean[1] * mean[1]);
+  };
+  for (int s = 0; s < c.sections; ++s) {
+    const auto point = lattice_point(s);
+    const double part = part_at_lattice_point(s);
+    for (std::size_t axis : {std::size_t{0}, std::size_t{1}}) {
+      const double width = grid_.spacing(axis);
+      std::array<double, 2> distance{width, width};
+      std::array<bool, 2> at_wall{false, false};
+      for (std::size_t side : {std::size_t{0}, std::size_t{1}}) {
+        if (c.neighbour[as_index(s)][2 * axis + side] >= 0) continue;
+        c.mirror[2 * axis + side][as_index(s)] = 1.0;
+        const double to_wall = grid_.wall_distance(point, axis, side);
+        // A slip wall holds back only what flows towards it; on the round wall neither axis is that direction.
+        at_wall[side] =
+            std::isfinite(to_wall) && (wall_ == LateralBoundary::no_slip ||
+                                       (wall_ == LateralBoundary::slip && axis == a && grid_.radius() == 0.0));
+        if (!at_wall[side]) continue;
+        distance[side] = to_wall;  // not 0: every lattice point lies inside
+        c.mirror[2 * axis + side][as_index(s)] = std::max(-1.0, 1.0 - width / distance[side]);
+      }
+      for (std::size_t side : {std::size_t{0}, std::size_t{1}}) {
+        const double weight = 2.0 / (distance[side] * (distance[0] + distance[1]));
+        const int neighbour = c.neighbour[as_index(s)][2 * axis + side];
+        if (at_wall[side] || neighbour >= 0) c.own[as_index(s)] += weight * part;
+        if (neighbour >= 0) c.lateral[2 * axis + side][as_index(s)] = weight * part_at_lattice_point(neighbour);
+      }
+    }
+  }
+  const double height = grid_.cell_height();
+  c.below.assign(as_index(c.levels), 1.0 / (height * height));
+  c.above = c.below;
+  if (a == vertical) {
+    if (!closed_) {  // the outlet mirrors the velocity
+      c.below.back() *= 2.0;
+      c.above.back() = 0.0;
+    }
+    return;
+  }
+  // The end planes are half a cell away.
+  const double near = 2.0 / (0.5 * height * 1.5 * height), far = 2.0 / (height * 1.5 * height);
+  c.below.front() = near;
+  c.above.front() = far;
+  if (closed_) {
+    c.below.back() = far;
+    c.above.back() = near;
+  } else {
+    c.above.back() = 0.0;
+  }
+}
+
+std::array<double, 3> LiquidSolver::position(std::size_t a, std::size_t node) const {
+  const Component& c = component_[a];
+  const auto level = static_cast<double>(node % as_index(c.levels));
+  const std::size_t section = node / as_index(c.levels);
+  const double height = grid_.cell_height();
+  const int cell = c.owner[section][0];
+  if (a == vertical) return {grid_.centroid(cell)[0], grid_.centroid(cell)[1], level * height};
+  std::array<double, 3> result{0.0, 0.0, (level + 0.5) * height};
+  result[a] = grid_.centre(cell)[a] + 0.5 * grid_.spacing(a);
+  result[1 - a] = grid_.faces(a)[section].middle;
+  return result;
 }
 
 void LiquidSolver::scatter(std::size_t a, const std::vector<double>& cells, std::vector<double>& nodes) const {
@@ -118,16 +212,16 @@ void LiquidSolver::scatter(std::size_t a, const std::vector<double>& cells, std:
     if (a == vertical) {
       for (int k = 0; k < layers; ++k) {
         const double value = cells[index(s, k, layers)];
-        // The lowest cell's share of the inlet face goes to the first free node above it.
-        nodes[index(s, k == 0 ? 1 : k, c.levels)] += 0.5 * value;
-        nodes[index(s, k + 1, c.levels)] += 0.5 * value;
+        // The lowest cell's share of the inlet face goes to the first free node above it; likewise below a closed top.
+        nodes[index(s, std::max(k, c.first), c.levels)] += 0.5 * value;
+        nodes[index(s, std::min(k + 1, c.last), c.levels)] += 0.5 * value;
       }
     } else {
       const auto& owner = c.owner[as_index(s)];
       const auto& share = c.share[as_index(s)];
-      for (int k = 0; k < layers; ++k)
-        nodes[index(s, k, layers)] =
-            share[0] * cells[index(owner[0], k, layers)] + share[1] * cells[index(owner[1], k, layers)];
+      const double *first = &cells[index(owner[0], 0, layers)], *second = &cells[index(owner[1], 0, layers)];
+      double* node = &nodes[index(s, 0, layers)];
+      for (std::size_t k = 0; k < as_index(layers); ++k) node[k] = share[0] * first[k] + share[1] * second[k];
     }
   }
 }
@@ -139,14 +233,16 @@ void LiquidSolver::gather(std::size_t a, const std::vector<double>& nodes, std::
   for (int s = 0; s < c.sections; ++s) {
     if (a == vertical) {
       for (int k = 0; k < layers; ++k)
-        cells[index(s, k, layers)] =
-            0.5 * (nodes[index(s, k == 0 ? 1 : k, c.levels)] + nodes[index(s, k + 1, c.levels)]);
+        cells[index(s, k, layers)] = 0.5 * (nodes[index(s, std::max(k, c.first), c.levels)] +
+                                            nodes[index(s, std::min(k + 1, c.last), c.levels)]);
     } else {
       const auto& owner = c.owner[as_index(s)];
       const auto& share = c.share[as_index(s)];
-      for (int k = 0; k < layers; ++k) {
-        cells[index(owner[0], k, layers)] += share[0] * nodes[index(s, k, layers)];
-        cells[index(owner[1], k, layers)] += share[1] * nodes[index(s, k, layers)];
+      double *first = &cells[index(owner[0], 0, layers)], *second = &cells[index(owner[1], 0, layers)];
+      const double* node = &nodes[index(s, 0, layers)];
+      for (std::size_t k = 0; k < as_index(layers); ++k) {
+        first[k] += share[0] * node[k];
+        second[k] += share[1] * node[k];
       }
     }
   }
@@ -162,46 +258,87 @@ double LiquidSolver::spacing(std::size_t a, int level) const {
   return level == grid_.layers() ? 0.5 * grid_.cell_height() : grid_.cell_height();
 }
 
-/// Volume flow of liquid α u A through every cell face, on the nodes [m³/s].
-void LiquidSolver::face_flows(std::array<std::vector<double>, 3>& flow) const {
+/// Liquid volumes on the nodes, inertia and old momentum, ∂V_L/∂t, the inlet's velocity, and the velocity that the
+/// solution starts from: extrapolated in second order, so that everything explicit in it is of second order too.
+void LiquidSolver::start_step(double time_step, const std::vector<double>& before, const std::vector<double>& now) {
+  const bool second_order = time_scheme_ == TimeScheme::second_order && last_volume_ == before;
+  // ∂f/∂t at the end of the step = at_now f^(n+1) − at_before f^n + at_earlier f^(n−1).
+  const double at_now = (second_order ? 1.5 : 1.0) / time_step, at_before = (second_order ? 2.0 : 1.0) / time_step,
+               at_earlier = 0.5 / time_step;
+  for (std::size_t i = 0; i < volume_change_.size(); ++i) {
+    volume_change_[i] = at_now * now[i] - at_before * before[i];
+    if (second_order) volume_change_[i] += at_earlier * earlier_volume_[i];
+  }
   for (std::size_t a = 0; a < 3; ++a) {
-    const Component& c = component_[a];
-    flow[a].resize(c.velocity.size());
+    Component& c = component_[a];
+    scatter(a, before, c.liquid_before);
+    scatter(a, now, c.liquid_now);
+    const std::size_t n = c.velocity.size();
+    for (std::size_t i = 0; i < n; ++i) {
+      c.fraction[i] = c.volume[i] > 0.0 ? c.liquid_now[i] / c.volume[i] : 0.0;
+      c.inertia[i] = density_ * at_before * c.liquid_before[i];
+    }
+    c.previous = c.velocity;
+    if (second_order) {
+      scatter(a, earlier_volume_, c.liquid_earlier);
+      // The sum of both steps' momentum over the inertia stands for the old velocity.
+      for (std::size_t i = 0; i < n; ++i) {
+        const double earlier_inertia = density_ * at_earlier * c.liquid_earlier[i];
+        const double momentum = c.inertia[i] * c.velocity[i] - earlier_inertia * c.earlier[i];
+        c.inertia[i] -= earlier_inertia;
+        c.velocity[i] = 2.0 * c.velocity[i] - c.earlier[i];
+        c.earlier[i] = c.previous[i];
+        if (c.inertia[i] > 0.0) c.previous[i] = momentum / c.inertia[i];
+      }
+    } else if (time_scheme_ == TimeScheme::second_order) {
+      c.earlier = c.previous;
+    }
+  }
+  if (time_scheme_ == TimeScheme::second_order) {
+    earlier_volume_ = before;
+    last_volume_ = now;
+  }
+  Component& c = component_[vertical];
+  for (int s = 0; s < c.sections; ++s)
+    c.velocity[index(s, 0, c.levels)] = c.end[0][as_index(s)] / c.fraction[index(s, 1, c.levels)];
+}
+
+/// Volume flow of liquid α u A through every cell face, on the nodes.
+void LiquidSolver::update_flows() {
+  for (std::size_t a = 0; a < 3; ++a) {
+    Component& c = component_[a];
     for (int s = 0; s < c.sections; ++s) {
       const double area = face_area(a, s);
-      for (int k = 0; k < c.levels; ++k) {
-        const std::size_t n = index(s, k, c.levels);
-        flow[a][n] = a == vertical && k == 0 ? superficial_velocity_ * area
-                                             : c.liquid_now[n] / c.volume[n] * area * c.velocity[n];
-      }
+      const std::size_t start = index(s, 0, c.levels);
+      for (std::size_t n = start; n < start + as_index(c.levels); ++n) c.flow[n] = c.fraction[n] * area * c.velocity[n];
+      if (a == vertical) c.flow[start] = c.end[0][as_index(s)] * area;
     }
   }
 }
 
 /// Flow through the links between the control volumes of a component: each cell's face flow counts with the share that
 /// the cell has in the node, so that the node's continuity is the sum of its cells' continuities.
-void LiquidSolver::link_fluxes(std::size_t a, const std::array<std::vector<double>, 3>& flow) {
+void LiquidSolver::link_fluxes(std::size_t a) {
   Component& c = component_[a];
   const int layers = grid_.layers();
   if (a == vertical) {
     for (int s = 0; s < c.sections; ++s) {
       for (std::size_t axis : {std::size_t{0}, std::size_t{1}}) {
         const int face = grid_.face_of(s, axis, 1);
-        for (int k = 1; k < c.levels; ++k) {
-          double value = 0.0;
-          if (face >= 0) {
-            const double below = flow[axis][index(face, k - 1, layers)];
-            value = (k == 1 ? 1.0 : 0.5) * below;
-            if (k < layers) value += 0.5 * flow[axis][index(face, k, layers)];
-          }
-          c.flux[axis][index(s, k, c.levels)] = value;
-        }
+        if (face < 0) continue;
+        const double* flow = &component_[axis].flow[index(face, 0, layers)];
+        double* flux = &c.flux[axis][index(s, 0, c.levels)];
+        for (int k = c.first; k < layers; ++k) flux[k] = 0.5 * (flow[k - 1] + flow[k]);
+        // The ends of the first node's volume, and of the last one's.
+        if (c.last == layers) flux[layers] = 0.5 * flow[layers - 1];
+        flux[c.first] += 0.5 * flow[0];
+        if (closed_) flux[c.last] += 0.5 * flow[layers - 1];
       }
       // From below: the inlet for the first free node, else the mean of the two faces of the cell in between.
-      for (int k = 1; k < c.levels; ++k)
-        c.flux[2][index(s, k, c.levels)] =
-            k == 1 ? flow[2][index(s, 0, c.levels)]
-                   : 0.5 * (flow[2][index(s, k - 1, c.levels)] + flow[2][index(s, k, c.levels)]);
+      const double* flow = &c.flow[index(s, 0, c.levels)];
+      double* flux = &c.flux[2][index(s, 0, c.levels)];
+      flux[1] = flow[0];
+      for (int k = 2; k < c.levels; ++k) flux[k] = 0.5 * (flow[k - 1] + flow[k]);
     }
     return;
   }
@@ -209,210 +346,282 @@ void LiquidSolver::link_fluxes(std::size_t a, const std::array<std::vector<doubl
   for (int s = 0; s < c.sections; ++s) {
     const auto& owner = c.owner[as_index(s)];
     const auto& share = c.share[as_index(s)];
+    const std::size_t start = index(s, 0, layers);
     const int next = c.neighbour[as_index(s)][2 * a + 1];
-    const int face_first = grid_.face_of(owner[0], cross, 1), face_second = grid_.face_of(owner[1], cross, 1);
-    const bool linked = c.neighbour[as_index(s)][2 * cross + 1] >= 0;
-    for (int k = 0; k < layers; ++k) {
-      const std::size_t n = index(s, k, layers);
-      c.flux[a][n] = next < 0 ? 0.0 : 0.5 * (flow[a][n] + flow[a][index(next, k, layers)]);
-      c.flux[cross][n] = !linked ? 0.0
-                                 : share[0] * flow[cross][index(face_first, k, layers)] +
-                                       share[1] * flow[cross][index(face_second, k, layers)];
-      c.flux[2][n] =
-          share[0] * flow[2][index(owner[0], k, layers + 1)] + share[1] * flow[2][index(owner[1], k, layers + 1)];
+    if (next >= 0) {
+      const double *here = &c.flow[start], *there = &c.flow[index(next, 0, layers)];
+      for (std::size_t k = 0; k < as_index(layers); ++k) c.flux[a][start + k] = 0.5 * (here[k] + there[k]);
+    }
+    if (c.neighbour[as_index(s)][2 * cross + 1] >= 0) {
+      const double* first = &component_[cross].flow[index(grid_.face_of(owner[0], cross, 1), 0, layers)];
+      const double* second = &component_[cross].flow[index(grid_.face_of(owner[1], cross, 1), 0, layers)];
+      for (std::size_t k = 0; k < as_index(layers); ++k)
+        c.flux[cross][start + k] = share[0] * first[k] + share[1] * second[k];
+    }
+    const double* first = &component_[vertical].flow[index(owner[0], 0, layers + 1)];
+    const double* second = &component_[vertical].flow[index(owner[1], 0, layers + 1)];
+    for (std::size_t k = 0; k < as_index(layers); ++k)
+      c.flux[2][start + k] = share[0] * first[k] + share[1] * second[k];
+  }
+}
+
+/// The part ⅓ μ ∇(∇·u) of ∇·τ from the velocity before the solution: with the implicit ∇² beside it, it is stable at
+/// any time step.
+void LiquidSolver::start_viscous() {
+  const int layers = grid_.layers();
+  for (int cell = 0; cell < grid_.cells(); ++cell) {
+    const double* velocity = &component_[vertical].velocity[index(cell, 0, layers + 1)];
+    double* dilatation = &dilatation_[index(cell, 0, layers)];
+    for (int k = 0; k < layers; ++k) dilatation[k] = (velocity[k + 1] - velocity[k]) / grid_.cell_height();
+  }
+  for (std::size_t a : {std::size_t{0}, std::size_t{1}}) {
+    const Component& c = component_[a];
+    for (int s = 0; s < c.sections; ++s) {
+      const auto& face = grid_.faces(a)[as_index(s)];
+      const double to_first = face.length / grid_.area(face.first), to_second = face.length / grid_.area(face.second);
+      const double* velocity = &c.velocity[index(s, 0, layers)];
+      double *first = &dilatation_[index(face.first, 0, layers)], *second = &dilatation_[index(face.second, 0, layers)];
+      for (int k = 0; k < layers; ++k) {
+        first[k] += to_first * velocity[k];
+        second[k] -= to_second * velocity[k];
+      }
+    }
+  }
+  for (std::size_t a = 0; a < 3; ++a) {
+    Component& c = component_[a];
+    const double factor = viscosity_ / 3.0 / (a == vertical ? grid_.cell_height() : grid_.spacing(a));
+    for (int s = 0; s < c.sections; ++s) {
+      const auto& owner = c.owner[as_index(s)];
+      const double *lower = &dilatation_[index(owner[0], 0, layers)], *upper = &dilatation_[index(owner[1], 0, layers)];
+      double* viscous = &c.viscous[index(s, 0, c.levels)];
+      if (a == vertical)
+        for (int k = 1; k < layers; ++k) viscous[k] = factor * (upper[k] - lower[k - 1]);
+      else
+        for (int k = 0; k < layers; ++k) viscous[k] = factor * (upper[k] - lower[k]);
+      if (a == vertical && !closed_) viscous[layers] = 0.0;  // ∇·u goes on unchanged past the outlet
     }
   }
 }
 
-/// Momentum predictor: implicit in time, upwind convection, diffusion and drag; QUICK as a deferred correction.
+void LiquidSolver::assemble(std::size_t a, const Exchange& exchange) {
+  switch (convection_) {
+    case ConvectionScheme::upwind:
+      return assemble<ConvectionScheme::upwind>(a, exchange);
+    case ConvectionScheme::central:
+      return assemble<ConvectionScheme::central>(a, exchange);
+    case ConvectionScheme::quick:
+      return assemble<ConvectionScheme::quick>(a, exchange);
+    case ConvectionScheme::muscl:
+      return assemble<ConvectionScheme::muscl>(a, exchange);
+  }
+}
+
+/// Momentum equations of a component (Eq. 27): implicit in time, upwind convection, diffusion and drag; a scheme of
+/// higher order as a deferred correction.
 ///
 /// Convection is written as Σ q (u_face − u_P), the conservative form minus u_P times continuity: it cannot create
 /// momentum where q is still that of the last iteration.
-void LiquidSolver::predict(std::size_t a, double time_step, const Exchange& exchange) {
+template <ConvectionScheme scheme>
+void LiquidSolver::assemble(std::size_t a, const Exchange& exchange) {
   Component& c = component_[a];
-  const int levels = c.levels, first_level = a == vertical ? 1 : 0;
-  const double height = grid_.cell_height();
-  const std::vector<double>& u = c.velocity;
-  const auto inlet_value = [&](int s) {
-    if (a != vertical) return 0.0;  // the liquid enters without lateral velocity
-    const double voidage = c.liquid_now[index(s, 1, levels)] / c.volume[index(s, 1, levels)];
-    return superficial_velocity_ / voidage;
-  };
-  const auto value_at = [&](int section, int level) { return u[index(section, level, levels)]; };
-
-  // Deferred QUICK minus upwind, flow direction known per link; u_far is the node beyond the upwind one.
-  const auto correction = [](double flow, double lower, double upper, double below_lower, double above_upper,
-                             bool has_below, bool has_above) {
-    if (flow >= 0.0) return has_below ? flow * (0.375 * upper - 0.25 * lower - 0.125 * below_lower) : 0.0;
-    return has_above ? flow * (0.375 * lower - 0.25 * upper - 0.125 * above_upper) : 0.0;
-  };
-
-  for (int s = 0; s < c.sections; ++s)
-    for (int k = first_level; k < levels; ++k) {
-      const std::size_t n = index(s, k, levels);
-      const double inertia = density_ * c.liquid_before[n] / time_step;
-      c.diagonal[n] = inertia + exchange.coefficient[a][n];
-      c.right_hand_side[n] = inertia * c.previous[n] + exchange.source[a][n] - c.liquid_now[n] * c.pressure_gradient[n];
-    }
-  const bool quick = convection_ == ConvectionScheme::quick;
-  const auto add_convection_link = [&](std::size_t lower, std::size_t upper, double volume_flow, double deferred) {
-    // Upwind: only the node that receives the flow is drawn towards the other one.
-    const double flow = density_ * volume_flow;
-    c.diagonal[upper] += std::max(flow, 0.0);
-    c.diagonal[lower] += std::max(-flow, 0.0);
-    c.right_hand_side[lower] -= density_ * deferred;
-    c.right_hand_side[upper] += density_ * deferred;
-  };
-  for (int s = 0; s < c.sections; ++s) {
-    for (std::size_t axis : {std::size_t{0}, std::size_t{1}}) {
-      const int t = c.neighbour[as_index(s)][2 * axis + 1];
-      if (t < 0) continue;
-      const int before = c.neighbour[as_index(s)][2 * axis], after = c.neighbour[as_index(t)][2 * axis + 1];
-      for (int k = first_level; k < levels; ++k) {
-        const std::size_t lower = index(s, k, levels), upper = index(t, k, levels);
-        const double q = c.flux[axis][lower];
-        double deferred = 0.0;
-        if (quick)
-          deferred = correction(q, u[lower], u[upper], before >= 0 ? value_at(before, k) : 0.0,
-                                after >= 0 ? value_at(after, k) : 0.0, before >= 0, after >= 0);
-        add_convection_link(lower, upper, q, deferred);
-        const double conductance = viscosity_ * c.lateral_conductance[axis][as_index(s)] * c.level_height[as_index(k)];
-        c.diagonal[lower] += conductance * c.liquid_now[lower] / c.volume[lower];
-        c.diagonal[upper] += conductance * c.liquid_now[upper] / c.volume[upper];
-      }
-    }
-    const double area = a == vertical ? grid_.area(s) : c.volume[index(s, 0, levels)] / height;
-    for (int k = first_level; k < levels; ++k) {
-      const std::size_t n = index(s, k, levels);
-      const double share_liquid = c.liquid_now[n] / c.volume[n];
-      c.diagonal[n] += share_liquid * viscosity_ * c.wall[as_index(s)] * c.level_height[as_index(k)];
-      if (k == first_level) {
-        const double q = density_ * c.flux[2][n];
-        const double conductance = share_liquid * viscosity_ * area / (a == vertical ? height : 0.5 * height);
-        c.diagonal[n] += std::max(q, 0.0) + conductance;
-        c.right_hand_side[n] += (std::max(q, 0.0) + conductance) * inlet_value(s);
-        continue;
-      }
-      const std::size_t lower = n - 1;
-      const double q = c.flux[2][n];
-      double deferred = 0.0;
-      if (quick)
-        deferred = correction(q, u[lower], u[n], k - 2 >= first_level ? u[n - 2] : 0.0, k + 1 < levels ? u[n + 1] : 0.0,
-                              k - 2 >= first_level, k + 1 < levels);
-      add_convection_link(lower, n, q, deferred);
-      const double conductance = viscosity_ * area / height;
-      c.diagonal[lower] += conductance * c.liquid_now[lower] / c.volume[lower];
-      c.diagonal[n] += conductance * share_liquid;
-    }
+  const int levels = c.levels;
+  const double density = density_;
+  const double* velocity = c.velocity.data();
+  for (std::size_t n = 0; n < c.velocity.size(); ++n) {
+    c.diagonal[n] = c.inertia[n] + exchange.coefficient[a][n];
+    c.right_hand_side[n] = c.inertia[n] * c.previous[n] + exchange.source[a][n] +
+                           c.liquid_now[n] * (c.viscous[n] - c.pressure_gradient[n]);
   }
+  for (int s = 0; s < c.sections; ++s) {
+    const std::size_t start = index(s, 0, levels);
+    const double* u = velocity + start;
+    const double* liquid = &c.liquid_now[start];
+    double* rhs = &c.right_hand_side[start];
+    double* diagonal = &c.diagonal[start];
+    const double stress = viscosity_ * c.own[as_index(s)];
+    for (int k = c.first; k <= c.last; ++k) diagonal[k] += stress * liquid[k];
 
-  // The implicit part is strongly diagonal (a step is short against drag and convection): Jacobi sweeps suffice.
-  constexpr int most_sweeps = 500;
-  double change = 0.0;
-  for (int sweep = 0; sweep < most_sweeps; ++sweep) {
-    c.next = c.right_hand_side;
-    for (int s = 0; s < c.sections; ++s) {
-      for (std::size_t axis : {std::size_t{0}, std::size_t{1}}) {
-        const int t = c.neighbour[as_index(s)][2 * axis + 1];
-        if (t < 0) continue;
-        const double* flux = &c.flux[axis][index(s, 0, levels)];
-        double* next_s = &c.next[index(s, 0, levels)];
-        double* next_t = &c.next[index(t, 0, levels)];
-        const double* u_s = &u[index(s, 0, levels)];
-        const double* u_t = &u[index(t, 0, levels)];
-        const std::size_t at_s = index(s, 0, levels), at_t = index(t, 0, levels);
-        const double lateral = viscosity_ * c.lateral_conductance[axis][as_index(s)];
-        for (int k = first_level; k < levels; ++k) {
-          const std::size_t l = as_index(k);
-          const double conductance = lateral * c.level_height[l];
-          next_s[l] +=
-              (density_ * std::max(-flux[l], 0.0) + conductance * c.liquid_now[at_s + l] / c.volume[at_s + l]) * u_t[l];
-          next_t[l] +=
-              (density_ * std::max(flux[l], 0.0) + conductance * c.liquid_now[at_t + l] / c.volume[at_t + l]) * u_s[l];
+    for (std::size_t axis : {std::size_t{0}, std::size_t{1}}) {
+      const std::size_t minus = 2 * axis, plus = minus + 1;
+      const int t = c.neighbour[as_index(s)][plus];
+      if (t < 0) continue;
+      // Beyond the two nodes of the link: the next node, or the wall's stand-in for it.
+      const int before = c.neighbour[as_index(s)][minus], after = c.neighbour[as_index(t)][plus];
+      const std::size_t start_t = index(t, 0, levels);
+      const double* u_t = velocity + start_t;
+      const double* u_before = before >= 0 ? velocity + index(before, 0, levels) : u;
+      const double* u_after = after >= 0 ? velocity + index(after, 0, levels) : u_t;
+      const double part_before = before >= 0 ? 1.0 : c.mirror[minus][as_index(s)];
+      const double part_after = after >= 0 ? 1.0 : c.mirror[plus][as_index(t)];
+      const double stress_s = viscosity_ * c.lateral[plus][as_index(s)];
+      const double stress_t = viscosity_ * c.lateral[minus][as_index(t)];
+      const double* liquid_t = &c.liquid_now[start_t];
+      const double* flux = &c.flux[axis][start];
+      double *to_plus = &c.coefficient[plus][start], *to_minus = &c.coefficient[minus][start_t];
+      double *rhs_t = &c.right_hand_side[start_t], *diagonal_t = &c.diagonal[start_t];
+      for (int k = c.first; k <= c.last; ++k) {
+        const double flow = density * flux[k], onwards = std::max(flow, 0.0), back = onwards - flow;
+        to_plus[k] = back + stress_s * liquid[k];
+        to_minus[k] = onwards + stress_t * liquid_t[k];
+        diagonal[k] += back;
+        diagonal_t[k] += onwards;
+        if constexpr (scheme != ConvectionScheme::upwind) {
+          const double excess =
+              carried_excess<scheme>(flow, part_before * u_before[k], u[k], u_t[k], part_after * u_after[k]);
+          rhs[k] -= excess;
+          rhs_t[k] += excess;
         }
       }
-      const double area = a == vertical ? grid_.area(s) : c.volume[index(s, 0, levels)] / height;
-      for (int k = first_level + 1; k < levels; ++k) {
-        const std::size_t n = index(s, k, levels), lower = n - 1;
-        const double q = density_ * c.flux[2][n], conductance = viscosity_ * area / height;
-        c.next[lower] += (std::max(-q, 0.0) + conductance * c.liquid_now[lower] / c.volume[lower]) * u[n];
-        c.next[n] += (std::max(q, 0.0) + conductance * c.liquid_now[n] / c.volume[n]) * u[lower];
-      }
     }
-    change = 0.0;
-    double largest = 0.0;
-    for (int s = 0; s < c.sections; ++s)
-      for (int k = first_level; k < levels; ++k) {
-        const std::size_t n = index(s, k, levels);
-        const double value = c.next[n] / c.diagonal[n];
-        change = std::max(change, std::abs(value - c.velocity[n]));
-        largest = std::max(largest, std::abs(value));
-        c.velocity[n] = value;
-      }
-    if (!std::isfinite(largest))
-      throw FluidError(fmt::format("liquid momentum ({}): a velocity is not finite", "xyz"[a]));
-    if (change <= 1e-10 * (largest + 1e-6)) {
-      if (a == vertical)
-        for (int s = 0; s < c.sections; ++s) c.velocity[index(s, 0, levels)] = inlet_value(s);
-      return;
+
+    const double* flux = &c.flux[2][start];
+    double *to_below = &c.coefficient[4][start], *to_above = &c.coefficient[5][start];
+    for (int k = c.first + 1; k <= c.last; ++k) {
+      const double flow = density * flux[k], onwards = std::max(flow, 0.0);
+      to_below[k] = onwards + viscosity_ * c.below[as_index(k)] * liquid[k];
+      to_above[k - 1] = onwards - flow + viscosity_ * c.above[as_index(k - 1)] * liquid[k - 1];
     }
+    if constexpr (scheme != ConvectionScheme::upwind) {
+      const auto link = [&](int k, double below_lower, double above_upper) {
+        const double excess = carried_excess<scheme>(density * flux[k], below_lower, u[k - 1], u[k], above_upper);
+        rhs[k - 1] -= excess;
+        rhs[k] += excess;
+      };
+      const double bottom = a == vertical ? u[0] : 2.0 * c.end[0][as_index(s)] - u[0];
+      const double top = c.last + 1 < levels ? u[levels - 1]
+                         : closed_           ? 2.0 * c.end[1][as_index(s)] - u[c.last]
+                                             : u[c.last];
+      const int lowest = c.first + 1;
+      if (lowest <= c.last) link(lowest, bottom, lowest < c.last ? u[lowest + 1] : top);
+      for (int k = lowest + 1; k < c.last; ++k) link(k, u[k - 2], u[k + 1]);
+      if (lowest < c.last) link(c.last, u[c.last - 2], top);
+    }
+    // Ends of the column: values given, of the vertical component on the grid's own levels.
+    const double from_below =
+        density * std::max(flux[c.first], 0.0) + viscosity_ * c.below[as_index(c.first)] * liquid[c.first];
+    const double from_above = viscosity_ * c.above[as_index(c.last)] * liquid[c.last];
+    diagonal[c.first] += from_below;
+    diagonal[c.last] += from_above;
+    rhs[c.first] += from_below * (a == vertical ? u[0] : c.end[0][as_index(s)]);
+    if (a != vertical) rhs[c.last] += from_above * c.end[1][as_index(s)];
   }
-  throw FluidError(
-      fmt::format("liquid momentum ({}): {} sweeps leave a change of {:.3g} m/s; a smaller fluid.time_step may help",
-                  "xyz"[a], most_sweeps, change));
+  for (std::size_t n = 0; n < c.diagonal.size(); ++n) c.diagonal[n] += c.coefficient[4][n] + c.coefficient[5][n];
 }
 
-/// ∇·(μ ∇u) on the nodes with the present velocity [N/m³].
-void LiquidSolver::update_viscous(std::size_t a) {
+/// The momentum equations are strongly diagonal (a step is short against drag and convection): Jacobi sweeps suffice.
+void LiquidSolver::solve_momentum(std::size_t a) {
   Component& c = component_[a];
-  const int levels = c.levels, first_level = a == vertical ? 1 : 0;
-  const double height = grid_.cell_height();
-  std::fill(c.viscous.begin(), c.viscous.end(), 0.0);
-  for (int s = 0; s < c.sections; ++s) {
-    for (std::size_t axis : {std::size_t{0}, std::size_t{1}}) {
-      const int t = c.neighbour[as_index(s)][2 * axis + 1];
-      if (t < 0) continue;
-      for (int k = first_level; k < levels; ++k) {
-        const std::size_t lower = index(s, k, levels), upper = index(t, k, levels);
-        const double force = viscosity_ * c.lateral_conductance[axis][as_index(s)] * c.level_height[as_index(k)] *
-                             (c.velocity[upper] - c.velocity[lower]);
-        c.viscous[lower] += force;
-        c.viscous[upper] -= force;
+  const int levels = c.levels;
+  constexpr int most_sweeps = 500;
+  double change = 0.0, largest = 0.0;
+  for (int sweep = 0; sweep < most_sweeps; ++sweep) {
+    std::fill(change_.begin(), change_.end(), 0.0);
+    std::fill(peak_.begin(), peak_.end(), 0.0);
+    for (int s = 0; s < c.sections; ++s) {
+      const std::size_t start = index(s, 0, levels);
+      const auto next_to = [&](std::size_t direction) {
+        const int t = c.neighbour[as_index(s)][direction];
+        return &c.velocity[index(t >= 0 ? t : s, 0, levels)];  // a missing neighbour has the weight 0
+      };
+      const double *u = &c.velocity[start], *left = next_to(0), *right = next_to(1), *front = next_to(2),
+                   *back = next_to(3);
+      const double *to_left = &c.coefficient[0][start], *to_right = &c.coefficient[1][start],
+                   *to_front = &c.coefficient[2][start], *to_back = &c.coefficient[3][start],
+                   *to_below = &c.coefficient[4][start], *to_above = &c.coefficient[5][start];
+      const double *rhs = &c.right_hand_side[start], *diagonal = &c.diagonal[start];
+      double *next = &c.next[start], *moved = change_.data(), *peak = peak_.data();
+      const auto lateral = [&](int k) {
+        return rhs[k] + to_left[k] * left[k] + to_right[k] * right[k] + to_front[k] * front[k] + to_back[k] * back[k];
+      };
+      const auto update = [&](int k, double sum) {
+        const double value = sum / diagonal[k];
+        moved[k] = std::max(moved[k], std::abs(value - u[k]));
+        peak[k] = std::max(peak[k], std::abs(value));
+        next[k] = value;
+      };
+      if (c.first == c.last) {
+        update(c.first, lateral(c.first));
+        continue;
       }
+      update(c.first, lateral(c.first) + to_above[c.first] * u[c.first + 1]);
+      for (int k = c.first + 1; k < c.last; ++k)
+        update(k, lateral(k) + to_below[k] * u[k - 1] + to_above[k] * u[k + 1]);
+      update(c.last, lateral(c.last) + to_below[c.last] * u[c.last - 1]);
     }
-    const double area = a == vertical ? grid_.area(s) : c.volume[index(s, 0, levels)] / height;
-    for (int k = first_level; k < levels; ++k) {
-      const std::size_t n = index(s, k, levels);
-      c.viscous[n] -= viscosity_ * c.wall[as_index(s)] * c.level_height[as_index(k)] * c.velocity[n];
-      if (k == first_level) {
-        const double inlet = a == vertical ? c.velocity[n - 1] : 0.0;
-        c.viscous[n] += viscosity_ * area / (a == vertical ? height : 0.5 * height) * (inlet - c.velocity[n]);
-      } else {
-        const double force = viscosity_ * area / height * (c.velocity[n] - c.velocity[n - 1]);
-        c.viscous[n - 1] += force;
-        c.viscous[n] -= force;
-      }
+    for (int s = 0; s < c.sections; ++s) {
+      const std::size_t start = index(s, 0, levels);
+      std::copy(&c.next[start + as_index(c.first)], &c.next[start + as_index(c.last)] + 1,
+                &c.velocity[start + as_index(c.first)]);
     }
+    change = *std::max_element(change_.begin(), change_.end());
+    largest = *std::max_element(peak_.begin(), peak_.end());
+    if (change <= 1e-10 * (largest + 1e-6)) break;
   }
-  for (std::size_t n = 0; n < c.viscous.size(); ++n)
-    if (c.volume[n] > 0.0) c.viscous[n] /= c.volume[n];
+  for (const double value : c.velocity)
+    if (!std::isfinite(value))
+      throw FluidError(fmt::format("liquid momentum ({}): a velocity is not finite", "xyz"[a]));
+  if (change > 1e-10 * (largest + 1e-6))
+    throw FluidError(
+        fmt::format("liquid momentum ({}): {} sweeps leave a change of {:.3g} m/s; a smaller fluid.time_step may help",
+                    "xyz"[a], most_sweeps, change));
 }
 
+/// Adds μ ∇²u of the present velocity to the part that start_viscous has left: ∇·τ on the nodes.
+void LiquidSolver::finish_viscous(std::size_t a) {
+  Component& c = component_[a];
+  const int levels = c.levels;
+  for (int s = 0; s < c.sections; ++s) {
+    const std::size_t start = index(s, 0, levels);
+    const double* u = &c.velocity[start];
+    double* viscous = &c.viscous[start];
+    std::array<const double*, 4> next_to{u, u, u, u};
+    std::array<double, 4> weight{};
+    const double own = viscosity_ * c.own[as_index(s)];
+    for (std::size_t direction = 0; direction < 4; ++direction) {
+      const int t = c.neighbour[as_index(s)][direction];
+      if (t < 0) continue;
+      next_to[direction] = &c.velocity[index(t, 0, levels)];
+      weight[direction] = viscosity_ * c.lateral[direction][as_index(s)];
+    }
+    for (int k = c.first; k <= c.last; ++k)
+      viscous[k] += weight[0] * next_to[0][k] + weight[1] * next_to[1][k] + weight[2] * next_to[2][k] +
+                    weight[3] * next_to[3][k] - own * u[k];
+    const double *below = c.below.data(), *above = c.above.data();
+    const double bottom = a == vertical ? u[0] : c.end[0][as_index(s)];
+    const double top = c.last + 1 < levels ? u[levels - 1] : c.end[1][as_index(s)];
+    for (int k = c.first; k < c.last; ++k) viscous[k] += viscosity_ * above[k] * (u[k + 1] - u[k]);
+    for (int k = c.first + 1; k <= c.last; ++k) viscous[k] += viscosity_ * below[k] * (u[k - 1] - u[k]);
+    viscous[c.first] += viscosity_ * below[c.first] * (bottom - u[c.first]);
+    viscous[c.last] += viscosity_ * above[c.last] * (top - u[c.last]);
+  }
+}
+
+/// ∇p on the nodes from the pressure; with `correct_velocity` each velocity follows the change by its mobility.
+template <bool correct_velocity>
 void LiquidSolver::update_pressure_gradient() {
   const int layers = grid_.layers();
   for (std::size_t a = 0; a < 3; ++a) {
     Component& c = component_[a];
-    for (int s = 0; s < c.sections; ++s)
-      for (int k = a == vertical ? 1 : 0; k < c.levels; ++k) {
-        const auto& owner = c.owner[as_index(s)];
-        const double lower = a == vertical ? pressure_[index(s, k - 1, layers)] : pressure_[index(owner[0], k, layers)];
-        double upper = 0.0;  // the outlet's dynamic pressure
-        if (a != vertical)
-          upper = pressure_[index(owner[1], k, layers)];
-        else if (k < layers)
-          upper = pressure_[index(s, k, layers)];
-        c.pressure_gradient[index(s, k, c.levels)] = (upper - lower) / spacing(a, k);
+    for (int s = 0; s < c.sections; ++s) {
+      const std::size_t start = index(s, 0, c.levels);
+      double* gradient = &c.pressure_gradient[start];
+      double* velocity = &c.velocity[start];
+      const double* mobility = &c.mobility[start];
+      const auto set = [&](int k, double value) {
+        if constexpr (correct_velocity) velocity[k] -= mobility[k] * (value - gradient[k]);
+        gradient[k] = value;
+      };
+      const double *lower = &pressure_[index(c.owner[as_index(s)][0], 0, layers)],
+                   *upper = &pressure_[index(c.owner[as_index(s)][1], 0, layers)];
+      if (a == vertical) {
+        const double per_height = 1.0 / grid_.cell_height();
+        for (int k = 1; k < layers; ++k) set(k, (upper[k] - lower[k - 1]) * per_height);
+        if (!closed_) set(layers, -lower[layers - 1] * 2.0 * per_height);  // the outlet's dynamic pressure is 0
+      } else {
+        const double per_width = 1.0 / grid_.spacing(a);
+        for (int k = 0; k < layers; ++k) set(k, (upper[k] - lower[k]) * per_width);
       }
+    }
   }
 }
 
@@ -450,76 +659,100 @@ void LiquidSolver::assemble_pattern() {
         }
         lower_entry_.push_back(pointers);
       }
+  imbalance_.resize(n);
+  correction_.resize(n);
+  residual_.resize(n);
   solver_.setTolerance(pressure_tolerance_);
   solver_.setMaxIterations(2000);
   solver_.preconditioner().set_layers(layers);
 }
 
 /// Pressure correction: u = u* − m ∇δp with m = liquid volume over (inertia + drag) per node, so that continuity
-/// ∂V_L/∂t + Σ α u A = 0 holds in every cell. Returns the largest imbalance before the correction over the inlet flow.
-double LiquidSolver::correct_pressure(double time_step, const std::vector<double>& before,
-                                      const std::vector<double>& now, const Exchange& exchange) {
+/// ∂V_L/∂t + Σ α u A = 0 (Eq. 26) holds in every cell. Returns the largest imbalance before the correction over the
+/// inlet flow.
+double LiquidSolver::correct_pressure(const Exchange& exchange) {
   const int layers = grid_.layers();
-  std::array<std::vector<double>, 3> flow;
-  face_flows(flow);
-  Eigen::VectorXd imbalance(static_cast<Eigen::Index>(grid_.size()));
-  for (std::size_t i = 0; i < grid_.size(); ++i)
-    imbalance[static_cast<Eigen::Index>(i)] = -(now[i] - before[i]) / time_step;
+  update_flows();
+  for (std::size_t i = 0; i < grid_.size(); ++i) imbalance_[static_cast<Eigen::Index>(i)] = -volume_change_[i];
 
   std::fill(matrix_.valuePtr(), matrix_.valuePtr() + matrix_.nonZeros(), 0.0);
   std::size_t entry = 0;
   for (std::size_t a = 0; a < 3; ++a) {
     Component& c = component_[a];
-    for (int s = 0; s < c.sections; ++s)
+    for (int s = 0; s < c.sections; ++s) {
+      const auto& owner = c.owner[as_index(s)];
+      const double area = face_area(a, s);
       for (int k = 0; k < c.levels; ++k, ++entry) {
         const std::size_t n = index(s, k, c.levels);
-        const std::ptrdiff_t lower = a == vertical
-                                         ? (k > 0 ? static_cast<std::ptrdiff_t>(index(s, k - 1, layers)) : -1)
-                                         : static_cast<std::ptrdiff_t>(index(c.owner[as_index(s)][0], k, layers));
-        const std::ptrdiff_t upper = a == vertical
-                                         ? (k < layers ? static_cast<std::ptrdiff_t>(index(s, k, layers)) : -1)
-                                         : static_cast<std::ptrdiff_t>(index(c.owner[as_index(s)][1], k, layers));
-        if (lower >= 0) imbalance[lower] -= flow[a][n];
-        if (upper >= 0) imbalance[upper] += flow[a][n];
-        if (a == vertical && k == 0) continue;  // the inlet's velocity is given
-        c.mobility[n] = c.liquid_now[n] / (density_ * c.liquid_before[n] / time_step + exchange.coefficient[a][n]);
-        const double coefficient = c.liquid_now[n] / c.volume[n] * face_area(a, s) * c.mobility[n] / spacing(a, k);
-        if (lower >= 0) *diagonal_entry_[static_cast<std::size_t>(lower)] += coefficient;
-        if (upper >= 0) *diagonal_entry_[static_cast<std::size_t>(upper)] += coefficient;
+        const auto lower = static_cast<std::ptrdiff_t>(index(owner[0], k, layers)) - (a == vertical ? 1 : 0);
+        const auto upper = static_cast<std::ptrdiff_t>(index(owner[1], k, layers));
+        const bool has_lower = a != vertical || k > 0, has_upper = k < layers;
+        if (has_lower) imbalance_[lower] -= c.flow[n];
+        if (has_upper) imbalance_[upper] += c.flow[n];
+        if (k < c.first || k > c.last) continue;  // the velocity is given
+        c.mobility[n] = c.liquid_now[n] / (c.inertia[n] + exchange.coefficient[a][n]);
+        const double coefficient = c.fraction[n] * area * c.mobility[n] / spacing(a, k);
+        if (has_lower) *diagonal_entry_[static_cast<std::size_t>(lower)] += coefficient;
+        if (has_upper) *diagonal_entry_[static_cast<std::size_t>(upper)] += coefficient;
         if (lower_entry_[entry][0] != nullptr) {
           *lower_entry_[entry][0] -= coefficient;
           *lower_entry_[entry][1] -= coefficient;
         }
       }
+    }
   }
+  // Without an outlet the pressure is free by a constant: tie it to 0 in one cell, through which nothing flows then.
+  if (closed_) *diagonal_entry_[0] *= 2.0;
   const double inlet_flow = std::max(std::abs(superficial_velocity_), 1e-3) * grid_.section_area();
-  const double largest = imbalance.cwiseAbs().maxCoeff() / inlet_flow;
+  const double largest = imbalance_.cwiseAbs().maxCoeff() / inlet_flow;
   if (!std::isfinite(largest)) throw FluidError("liquid continuity: an imbalance is not finite");
+  continuity_error_ = 0.0;
   if (largest == 0.0) return 0.0;
 
   solver_.compute(matrix_);
-  const Eigen::VectorXd correction = solver_.solve(imbalance);
+  correction_ = solver_.solve(imbalance_);
   if (solver_.info() != Eigen::Success)
     throw FluidError(
         fmt::format("pressure equation: {} iterations leave a relative residual of {:.3g} (tolerance {:.3g})",
                     solver_.iterations(), solver_.error(), pressure_tolerance_));
-  for (std::size_t i = 0; i < grid_.size(); ++i) pressure_[i] += correction[static_cast<Eigen::Index>(i)];
-  std::array<std::vector<double>, 3> old_gradient;
-  for (std::size_t a = 0; a < 3; ++a) old_gradient[a] = component_[a].pressure_gradient;
-  update_pressure_gradient();
-  for (std::size_t a = 0; a < 3; ++a) {
-    Component& c = component_[a];
-    for (std::size_t n = 0; n < c.velocity.size(); ++n)
-      c.velocity[n] -= c.mobility[n] * (c.pressure_gradient[n] - old_gradient[a][n]);
-  }
-  continuity_error_ = (imbalance - matrix_ * correction).cwiseAbs().maxCoeff() / inlet_flow;
+  for (std::size_t i = 0; i < grid_.size(); ++i) pressure_[i] += correction_[static_cast<Eigen::Index>(i)];
+  update_pressure_gradient<true>();
+  residual_.noalias() = matrix_ * correction_;
+  continuity_error_ = (imbalance_ - residual_).cwiseAbs().maxCoeff() / inlet_flow;
   return largest;
+}
+
+/// A section of one cell: α w A follows from continuity, layer by layer from the inlet; the momentum equation of each
+/// node then holds the pressure gradient as its only unknown.
+void LiquidSolver::balance_column(const Exchange& exchange) {
+  Component& c = component_[vertical];
+  const int layers = grid_.layers();
+  const double area = grid_.area(0);
+  c.flow[0] = c.end[0][0] * area;
+  for (int k = 1; k <= layers; ++k) {
+    const std::size_t n = as_index(k);
+    c.flow[n] = c.flow[n - 1] - volume_change_[n - 1];
+    c.velocity[n] = c.flow[n] / (c.fraction[n] * area);
+  }
+  link_fluxes(vertical);
+  start_viscous();
+  std::fill(c.pressure_gradient.begin(), c.pressure_gradient.end(), 0.0);
+  assemble(vertical, exchange);
+  double above = 0.0;
+  for (int k = layers; k > 0; --k) {
+    const std::size_t n = as_index(k);
+    double force = c.right_hand_side[n] - c.diagonal[n] * c.velocity[n] + c.coefficient[5][n] * above;
+    if (k > 1) force += c.coefficient[4][n] * c.velocity[n - 1];
+    above = c.velocity[n];
+    c.pressure_gradient[n] = force / c.liquid_now[n];
+    pressure_[n - 1] = (k < layers ? pressure_[n] : 0.0) - c.pressure_gradient[n] * spacing(vertical, k);
+  }
+  finish_viscous(vertical);
 }
 
 void LiquidSolver::advance(double time_step, const std::vector<double>& before, const std::vector<double>& now,
                            const Exchange& exchange) {
-  const auto [least, most] = std::minmax_element(now.begin(), now.end());
-  static_cast<void>(most);
+  const auto least = std::min_element(now.begin(), now.end());
   if (!(*least > 0.0)) {
     const auto cell = static_cast<std::size_t>(least - now.begin());
     throw FluidError(
@@ -527,24 +760,21 @@ void LiquidSolver::advance(double time_step, const std::vector<double>& before, 
                     "fluid.cell_height) are needed",
                     cell % as_index(grid_.layers()), cell / as_index(grid_.layers())));
   }
-  for (std::size_t a = 0; a < 3; ++a) {
-    Component& c = component_[a];
-    scatter(a, before, c.liquid_before);
-    scatter(a, now, c.liquid_now);
-    c.previous = c.velocity;
-  }
+  start_step(time_step, before, now);
+  if (grid_.cells() == 1 && !closed_) return balance_column(exchange);
   // The projection takes one pass; SIMPLE repeats it until pressure, velocity and convecting flow agree.
   constexpr int most_iterations = 100;
   const bool simple = pressure_velocity_ == PressureVelocity::simple;
-  std::array<std::vector<double>, 3> flow;
   for (int iteration = 1;; ++iteration) {
-    face_flows(flow);
+    update_flows();
+    start_viscous();
     for (std::size_t a = 0; a < 3; ++a) {
-      link_fluxes(a, flow);
-      predict(a, time_step, exchange);
-      update_viscous(a);
+      link_fluxes(a);
+      assemble(a, exchange);
+      solve_momentum(a);
+      finish_viscous(a);
     }
-    const double imbalance = correct_pressure(time_step, before, now, exchange);
+    const double imbalance = correct_pressure(exchange);
     if (!simple) return;
     if (iteration > 1 && imbalance < simple_tolerance_) return;
     if (iteration == most_iterations)
@@ -564,23 +794,29 @@ double LiquidSolver::inlet_pressure() const {
   return sum / grid_.section_area();
 }
 
-std::array<std::vector<double>, 7> LiquidSolver::state() const {
-  return {component_[0].velocity,
-          component_[1].velocity,
-          component_[2].velocity,
-          component_[0].viscous,
-          component_[1].viscous,
-          component_[2].viscous,
-          pressure_};
+LiquidSolver::State LiquidSolver::state() const {
+  State state;
+  for (std::size_t a = 0; a < 3; ++a) {
+    state[a] = component_[a].velocity;
+    state[3 + a] = component_[a].viscous;
+    state[6 + a] = component_[a].earlier;
+  }
+  state[9] = earlier_volume_;
+  state[10] = last_volume_;
+  state[11] = pressure_;
+  return state;
 }
 
-void LiquidSolver::restore(const std::array<std::vector<double>, 7>& state) {
+void LiquidSolver::restore(const State& state) {
   for (std::size_t a = 0; a < 3; ++a) {
     component_[a].velocity = state[a];
     component_[a].viscous = state[3 + a];
+    component_[a].earlier = state[6 + a];
   }
-  pressure_ = state[6];
-  update_pressure_gradient();
+  earlier_volume_ = state[9];
+  last_volume_ = state[10];
+  pressure_ = state[11];
+  update_pressure_gradient<false>();
 }
 
 }  // namespace slfb::fluid

@@ -17,29 +17,36 @@ struct FluidError : std::runtime_error {
 
 /// What the particles do to the liquid in one step, on the momentum nodes of each velocity component.
 ///
-/// The drag on the liquid in node f is source_f − coefficient_f · u_f, with u_f at the end of the step.
+/// The force on the liquid in node f is source_f − coefficient_f · u_f, with u_f at the end of the step.
 struct Exchange {
   std::array<std::vector<double>, 3> coefficient;  ///< Σ φ_if K_i [kg/s]
   std::array<std::vector<double>, 3> source;       ///< Σ φ_if K_i v_i [N]
 };
 
-/// Volume-averaged continuity and momentum of the liquid (Peng 2014, Eqs. 26, 27) on a staggered ColumnGrid.
+/// Volume-averaged continuity and momentum of the liquid (Peng 2014, Eqs. 21, 26, 27) on a staggered ColumnGrid.
 ///
 /// The pressure is the dynamic one, p + ρ g z, 0 at the outlet. Of Eq. 27's total force f_S-L the pressure-gradient and
 /// viscous parts are taken into the liquid's own terms, −α ∇p + α ∇·τ, and the particles receive the other
-/// (1 − α) parts, so that the sum of both phases feels −∇p + ∇·τ exactly. The viscous stress is μ ∇u.
+/// (1 − α) parts, so that the sum of both phases feels −∇p + ∇·τ exactly. With constant μ, Eq. 21 gives
+/// ∇·τ = μ ∇²u + ⅓ μ ∇(∇·u).
 ///
 /// A velocity component lives on the faces across its direction. Its control volume is made of the halves of the two
 /// cells beside the face (the whole cell where the other side is a wall or the inlet), with the same shares for liquid
 /// volume, forces and fluxes: a force scattered to the nodes and a velocity gathered from them are adjoint, which
-/// makes the exchange of momentum exact.
+/// makes the exchange of momentum exact. Viscous stresses reach to where the wall cuts the axes through a node.
+///
+/// A section of a single cell needs no pressure equation: continuity alone gives the velocity, and the momentum
+/// balance then the pressure gradient.
 class LiquidSolver {
  public:
-  explicit LiquidSolver(const Scene& scene);
+  /// A closed liquid has walls at z = 0 and z = height instead of the inlet and the outlet: no scene, but cavities and
+  /// vortices with exact solutions.
+  explicit LiquidSolver(const Scene& scene, bool closed = false);
 
   [[nodiscard]] const ColumnGrid& grid() const { return grid_; }
 
-  /// One step of the liquid from liquid volumes `before` to `now` (per cell [m³]).
+  /// One step of the liquid from liquid volumes `before` to `now` (per cell [m³]). In second order the time step stays
+  /// the same; where `before` is not the last step's `now` (a sphere was put in), the scheme starts anew with Euler.
   void advance(double time_step, const std::vector<double>& before, const std::vector<double>& now,
                const Exchange& exchange);
 
@@ -48,6 +55,15 @@ class LiquidSolver {
   /// Mean of a node quantity over the nodes of each cell: the adjoint of scatter.
   void gather(std::size_t component, const std::vector<double>& nodes, std::vector<double>& cells) const;
   [[nodiscard]] std::size_t nodes(std::size_t component) const { return component_[component].velocity.size(); }
+  /// Where the velocity of a node is that of the liquid [m].
+  [[nodiscard]] std::array<double, 3> position(std::size_t component, std::size_t node) const;
+
+  /// Velocity given at z = 0 (side 0) and, for the lateral components of a closed liquid, at z = height (side 1), per
+  /// section node [m/s]. For the vertical component it is the superficial velocity α w. A scene's liquid enters with
+  /// its superficial_velocity.
+  [[nodiscard]] std::vector<double>& end_velocity(std::size_t component, std::size_t side) {
+    return component_[component].end[side];
+  }
 
   /// Interstitial liquid velocity on the nodes of a component [m/s].
   [[nodiscard]] const std::vector<double>& velocity(std::size_t component) const {
@@ -68,52 +84,75 @@ class LiquidSolver {
   /// Largest violation of continuity over all cells at the last step, over the inlet's volume flow [-].
   [[nodiscard]] double continuity_error() const { return continuity_error_; }
 
-  /// Fields that the next step starts from, for checkpoints: velocities, viscous forces, pressure.
-  static constexpr std::array<const char*, 7> state_names{"velocity_x", "velocity_y", "velocity_z", "viscous_x",
-                                                          "viscous_y",  "viscous_z",  "pressure"};
-  [[nodiscard]] std::array<std::vector<double>, 7> state() const;
-  void restore(const std::array<std::vector<double>, 7>& state);
+  /// Fields that the next step starts from, for checkpoints; those of the step before it only in second order.
+  static constexpr std::array<const char*, 12> state_names{
+      "velocity_x",         "velocity_y",         "velocity_z",         "viscous_x",      "viscous_y",   "viscous_z",
+      "earlier_velocity_x", "earlier_velocity_y", "earlier_velocity_z", "earlier_volume", "last_volume", "pressure"};
+  using State = std::array<std::vector<double>, state_names.size()>;
+  [[nodiscard]] State state() const;
+  void restore(const State& state);
 
  private:
   /// One velocity component: nodes numbered section node * levels + level.
   struct Component {
-    int sections = 0;  ///< nodes in the section
-    int levels = 0;
+    int sections = 0;                           ///< nodes in the section
+    int levels = 0;                             ///< nodes over the height
+    int first = 0, last = 0;                    ///< levels that are solved for; the others are given
     std::vector<std::array<int, 4>> neighbour;  ///< section nodes towards −x, +x, −y, +y; −1 at a wall
     std::vector<std::array<int, 2>> owner;      ///< the two cells beside the node (x, y) or the cell twice (z)
-    std::vector<std::array<double, 2>> share;   ///< of each owner's volume that belongs to the node (x, y)
-    std::vector<double> wall;                   ///< wall length over wall distance, per section node [-]
-    std::array<std::vector<double>, 2> lateral_conductance;  ///< of the links towards +x and +y, per height [-]
-    std::vector<double> level_height;                        ///< height of a node's volume by level [m]
-    std::vector<double> volume, liquid_before, liquid_now;   ///< [m³]
-    std::vector<double> velocity, previous, pressure_gradient, viscous;
-    std::array<std::vector<double>, 3>
-        flux;  ///< liquid volume flow through the links towards +x, +y and from below [m³/s]
-    std::vector<double> diagonal, right_hand_side, next, mobility;
+    std::vector<std::array<double, 2>> share;   ///< of each owner's volume that belongs to the node
+    /// Weights in ∇² of the four neighbours, less those of the node and its walls, and by level of the nodes below and
+    /// above [1/m²]; and the part of a node's value that stands for a missing neighbour in convection.
+    std::array<std::vector<double>, 4> lateral, mirror;
+    std::vector<double> own, below, above;
+    std::array<std::vector<double>, 2> end;                         ///< velocity given at z = 0 and z = height [m/s]
+    std::vector<double> volume, fraction;                           ///< [m³]; of liquid [-]
+    std::vector<double> liquid_earlier, liquid_before, liquid_now;  ///< liquid volumes [m³]
+    std::vector<double> velocity, previous, earlier, pressure_gradient, viscous;
+    std::vector<double> flow;                 ///< of liquid volume through the node's face [m³/s]
+    std::array<std::vector<double>, 3> flux;  ///< the same through the links towards +x and +y and from below [m³/s]
+    /// The momentum equations: weights of the neighbours towards −x, +x, −y, +y, −z, +z [kg/s].
+    std::array<std::vector<double>, 6> coefficient;
+    std::vector<double> inertia, diagonal, right_hand_side, next, mobility;
   };
 
   void build_component(std::size_t a);
+  void build_stencil(std::size_t a);
+  void assemble_pattern();
+  void start_step(double time_step, const std::vector<double>& before, const std::vector<double>& now);
   [[nodiscard]] double face_area(std::size_t a, int section) const;
   [[nodiscard]] double spacing(std::size_t a, int level) const;
-  void face_flows(std::array<std::vector<double>, 3>& flow) const;
-  void link_fluxes(std::size_t a, const std::array<std::vector<double>, 3>& flow);
-  void predict(std::size_t a, double time_step, const Exchange& exchange);
-  void update_viscous(std::size_t a);
+  void update_flows();
+  void link_fluxes(std::size_t a);
+  void start_viscous();
+  template <ConvectionScheme scheme>
+  void assemble(std::size_t a, const Exchange& exchange);
+  void assemble(std::size_t a, const Exchange& exchange);
+  void solve_momentum(std::size_t a);
+  void finish_viscous(std::size_t a);
+  template <bool correct_velocity>
   void update_pressure_gradient();
-  double correct_pressure(double time_step, const std::vector<double>& before, const std::vector<double>& now,
-                          const Exchange& exchange);
-  void assemble_pattern();
+  double correct_pressure(const Exchange& exchange);
+  void balance_column(const Exchange& exchange);
 
   ColumnGrid grid_;
   double density_, viscosity_, superficial_velocity_, pressure_tolerance_, simple_tolerance_;
   LateralBoundary wall_;
   ConvectionScheme convection_;
+  TimeScheme time_scheme_;
   PressureVelocity pressure_velocity_;
+  bool closed_;
   std::array<Component, 3> component_;
   std::vector<double> pressure_;
+  std::vector<double> volume_change_;  ///< ∂V_L/∂t per cell [m³/s]
+  std::vector<double> dilatation_;     ///< ∇·u per cell [1/s]
+  std::vector<double> earlier_volume_,
+      last_volume_;                    ///< second order: liquid at the start and end of the last step [m³]
+  std::vector<double> change_, peak_;  ///< scratch of the momentum sweeps, per level
   Eigen::SparseMatrix<double> matrix_;
   std::vector<std::array<double*, 2>> lower_entry_;  ///< per node: both off-diagonal entries of its two cells
   std::vector<double*> diagonal_entry_;
+  Eigen::VectorXd imbalance_, correction_, residual_;
   Eigen::ConjugateGradient<Eigen::SparseMatrix<double>, Eigen::Lower | Eigen::Upper, SectionMeanPreconditioner> solver_;
   double continuity_error_ = 0.0;
 };

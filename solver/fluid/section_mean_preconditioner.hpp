@@ -52,12 +52,12 @@ class SectionMeanPreconditioner {
 
   [[nodiscard]] Eigen::VectorXd solve(const Eigen::VectorXd& residual) const {
     Eigen::VectorXd result = residual;
-    lines_.solve(result.data());
+    lines_.solve(result.data(), layers_);
     std::fill(sum_.begin(), sum_.end(), 0.0);
     const auto n = static_cast<std::size_t>(residual.size());
     for (std::size_t first = 0; first < n; first += layers_)
       for (std::size_t k = 0; k < layers_; ++k) sum_[k] += residual.data()[first + k];
-    mean_.solve(sum_.data());
+    mean_.solve(sum_.data(), layers_);
     for (std::size_t first = 0; first < n; first += layers_)
       for (std::size_t k = 0; k < layers_; ++k) result.data()[first + k] += sum_[k];
     return result;
@@ -81,11 +81,21 @@ class SectionMeanPreconditioner {
         if (k > 0) above[k - 1] *= pivot[k - 1];
       }
     }
-    void solve(double* x) const {
-      const std::size_t n = pivot.size();
-      for (std::size_t k = 1; k < n; ++k) x[k] -= above[k - 1] * x[k - 1];
-      for (std::size_t k = 0; k < n; ++k) x[k] *= pivot[k];
-      for (std::size_t k = n - 1; k-- > 0;) x[k] -= above[k] * x[k + 1];
+    /// Lines of `length` each. Eight go side by side, since each is one long chain of dependent operations.
+    void solve(double* x, std::size_t length) const {
+      constexpr std::size_t together = 8;
+      std::size_t first = 0;
+      for (; first + together * length <= pivot.size(); first += together * length)
+        solve_lines<together>(x, first, length);
+      for (; first < pivot.size(); first += length) solve_lines<1>(x, first, length);
+    }
+    template <std::size_t count>
+    void solve_lines(double* x, std::size_t first, std::size_t length) const {
+      for (std::size_t i = first + 1; i < first + length; ++i)
+        for (std::size_t n = i; n < i + count * length; n += length) x[n] -= above[n - 1] * x[n - 1];
+      for (std::size_t n = first; n < first + count * length; ++n) x[n] *= pivot[n];
+      for (std::size_t i = first + length - 1; i-- > first;)
+        for (std::size_t n = i; n < i + count * length; n += length) x[n] -= above[n] * x[n + 1];
     }
   };
 

@@ -12,7 +12,8 @@ namespace slfb {
 enum class Shape { cylinder, box };
 enum class LateralBoundary { no_slip, slip, periodic };  ///< periodic: boxes only
 enum class FluidTier { quiescent, one_dimensional, three_dimensional };
-enum class ConvectionScheme { upwind, quick };
+enum class ConvectionScheme { upwind, central, quick, muscl };
+enum class TimeScheme { euler, second_order };
 enum class VoidFractionScheme { centroid, particle_meshing, exact_overlap };
 enum class PressureVelocity { projection, simple };
 enum class OutletRule { lid, remove };
@@ -37,6 +38,7 @@ struct FluidNumerics {
   int cells_across = 8;      ///< cells over the diameter (or over width[0])
   double cell_height = 0.0;  ///< [m]; the column height is divided evenly into cells of about this height
   ConvectionScheme convection = ConvectionScheme::quick;
+  TimeScheme time_scheme = TimeScheme::euler;  ///< second order: backward differences (BDF2)
   PressureVelocity pressure_velocity = PressureVelocity::projection;
   double time_step = 0.0;            ///< [s]
   double pressure_tolerance = 1e-6;  ///< relative residual of the pressure equation [-]

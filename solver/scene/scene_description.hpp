@@ -72,8 +72,11 @@ inline constexpr std::array rolling_radii{Choice{"own", RollingRadius::own}, Cho
 inline constexpr std::array integrators{
     Choice{"symplectic-euler", Integrator::symplectic_euler}, Choice{"velocity-verlet", Integrator::velocity_verlet},
     Choice{"position-verlet", Integrator::position_verlet}, Choice{"gear", Integrator::gear}};
-inline constexpr std::array convections{Choice{"upwind", ConvectionScheme::upwind},
-                                        Choice{"quick", ConvectionScheme::quick}};
+inline constexpr std::array convections{
+    Choice{"upwind", ConvectionScheme::upwind}, Choice{"central", ConvectionScheme::central},
+    Choice{"quick", ConvectionScheme::quick}, Choice{"muscl", ConvectionScheme::muscl}};
+inline constexpr std::array time_schemes{Choice{"euler", TimeScheme::euler},
+                                         Choice{"second-order", TimeScheme::second_order}};
 inline constexpr std::array pressure_velocities{Choice{"projection", PressureVelocity::projection},
                                                 Choice{"simple", PressureVelocity::simple}};
 inline constexpr std::array void_fractions{Choice{"centroid", VoidFractionScheme::centroid},
@@ -118,6 +121,7 @@ void describe(Visitor& visitor, Scene& scene) {
     visitor.integer("cells_across", fluid.cells_across, one_to_a_million, optional);
     visitor.number("cell_height", fluid.cell_height, u::length, positive, flowing);
     visitor.choice("convection", fluid.convection, convections, optional);
+    visitor.choice("time_scheme", fluid.time_scheme, time_schemes, optional);
     visitor.choice("pressure_velocity", fluid.pressure_velocity, pressure_velocities, optional);
     visitor.number("time_step", fluid.time_step, u::time, positive, flowing);
     visitor.number("pressure_tolerance", fluid.pressure_tolerance, u::ratio, between_zero_and_one, optional);

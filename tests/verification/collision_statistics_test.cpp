@@ -665,6 +665,25 @@ TEST(Engine, AdvanceByNoStepChangesNothing) {
   }
 }
 
+// Moved by hand before the stop: the list that is restored does not know the pair.
+TEST(Engine, RestoresASphereThatWasMoved) {
+  for (double x : {0.0, 1.5 * radius}) {
+    const Contact contact = linear(0.9, 50);
+    Engine engine(contact, {}, {0, 0, 0}, 1);
+    engine.add_particle({-20 * radius, 0, 0}, radius, density, 0);
+    engine.add_particle({0, 0, 0}, radius, density, 0);
+    engine.advance(10);
+    engine.particles.position.x[0] = x - 1.99 * radius;
+    engine.particles.position.x[1] = x;
+    Engine resumed(contact, {}, {0, 0, 0}, 1);
+    resumed.restore(engine.particles, engine.memory());
+    engine.advance(1);
+    resumed.advance(1);
+    EXPECT_EQ(engine.contacts(1), 1);
+    EXPECT_EQ(resumed.contacts(1), 1);
+  }
+}
+
 // A hertzian wall that does not deform is twice as stiff.
 TEST(Engine, NetworkFrequencyKnowsRigidWalls) {
   double squared[2] = {};
