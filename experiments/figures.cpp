@@ -6,11 +6,13 @@
 #include "experiments/fig25_collision_force/fig25.hpp"
 #include "experiments/figure.hpp"
 #include "experiments/frontier/integrators.hpp"
+#include "experiments/kinetic_theory/kinetic_theory.hpp"
 
 namespace slfb {
 
 const std::vector<Figure>& figures() {
-  static const std::vector<Figure> list{fig05(), fig08(), fig09(), fig10(), fig13(), fig25(), frontier_integrators()};
+  static const std::vector<Figure> list{fig05(), fig08(), fig09(),          fig10(),
+                                        fig13(), fig25(), kinetic_theory(), frontier_integrators()};
   return list;
 }
 

@@ -9,10 +9,10 @@ namespace slfb::dem {
 
 /// Tangential spring and dashpot, limited by Coulomb friction (Cundall & Strack 1979; Tsuji et al. 1993).
 ///
-/// F_t = −k_t ξ − c_t v_t, |F_t| ≤ μ max(F_n, 0), F_n without dashpot_weight(): the spring remembers where it slid. A
-/// step adds Δt v_t to ξ; the part `phase` of it before the force is taken. 1 is right for symplectic Euler, whose
-/// positions have moved with the newest velocity already; 1/2, the trapezoidal rule, for integrators that know position
-/// and velocity at the same time. On sliding, ξ is set to the spring that carries the limit.
+/// F_t = −k_t ξ − c_t v_t, |F_t| ≤ μ max(F_n, 0), F_n without dashpot_end_correction(): the spring remembers where it
+/// slid. A step adds Δt v_t to ξ; the part `phase` of it before the force is taken. 1 is right for symplectic Euler,
+/// whose positions have moved with the newest velocity already; 1/2, the trapezoidal rule, for integrators that know
+/// position and velocity at the same time. On sliding, ξ is set to the spring that carries the limit.
 struct CoulombFriction {
   double friction;  ///< μ [-]
   double phase;     ///< [-]

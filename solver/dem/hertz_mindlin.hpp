@@ -24,6 +24,7 @@ class HertzMindlin {
     effective_shear_modulus_ = contact.youngs_modulus / (bodies * 2.0 * (1.0 + poisson) * (2.0 - poisson));
     damping_ = 2.0 * std::sqrt(5.0 / 6.0) * damping_ratio(contact.restitution);
     time_step_ = contact.time_step;
+    steps_per_second_ = 1.0 / contact.time_step;
     lag_ = contact.integrator == Integrator::symplectic_euler ? 0.5 * contact.time_step : 0.0;
     least_force_ = contact.cut_tension ? 0.0 : -std::numeric_limits<double>::infinity();
   }
@@ -38,8 +39,8 @@ class HertzMindlin {
     const double damping = factor * std::sqrt(stiffness);
     const double ahead = root_effective_mass / (root_effective_mass + lag_ * damping_ * std::sqrt(stiffness));
     const double load = ahead * (2.0 / 3.0 * stiffness * overlap + damping * approach);
-    const double weight = dashpot_weight(overlap, approach, time_step_, 1.3278);
-    const double force = load + ahead * (weight - 1.0) * damping * approach;
+    const double force =
+        load + ahead * damping * dashpot_end_correction(overlap, approach, time_step_, steps_per_second_, 1.3278);
     return {force > least_force_ ? force : least_force_, load > least_force_ ? load : least_force_, stiffness,
             tangential_stiffness, factor * std::sqrt(tangential_stiffness)};
   }
@@ -53,7 +54,7 @@ class HertzMindlin {
   }
 
  private:
-  double effective_modulus_, effective_shear_modulus_, damping_, time_step_, lag_, least_force_;
+  double effective_modulus_, effective_shear_modulus_, damping_, time_step_, steps_per_second_, lag_, least_force_;
 };
 
 }  // namespace slfb::dem

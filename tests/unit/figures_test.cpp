@@ -97,7 +97,8 @@ TEST_P(EveryFigure, LeavesPicturesScriptDataAndWords) {
     EXPECT_EQ(script.find(folder.path().string()), std::string::npos) << "the script names no folder";
     const std::string picture = read(folder.path() / (output.id + ".svg"));
     const bool says_missing = picture.find("ot yet simulated") != std::string::npos;
-    EXPECT_EQ(says_missing, !GetParam()) << output.id;
+    const bool needs_runs = !figures()[i].needs(drawn.profile).empty();
+    EXPECT_EQ(says_missing, needs_runs && !GetParam()) << output.id;
   }
 }
 

@@ -13,6 +13,7 @@
 #include <random>
 
 #include "correlations/collision/collision_laws.hpp"
+#include "experiments/kinetic_theory/periodic_gas.hpp"
 #include "solver/dem/engine.hpp"
 #include "solver/dem/granular_temperature.hpp"
 #include "solver/dem/packing.hpp"
@@ -237,96 +238,6 @@ TEST(SingleCollision, BeforeCollectingIsNotTold) {
 
 // --- frequency -------------------------------------------------------------------------------------------------------
 
-struct MeasuredFrequency {
-  double value, error;      ///< f* = f d/√(q_p²), of one standard deviation of the mean of 20 stretches [-]
-  double contact_fraction;  ///< t_c f [-]
-  double energy_change;     ///< largest, over the energy at the start [-]
-};
-
-/// Elastic smooth spheres in a periodic cube, side³ of them, over the given number of collisions of each.
-///
-/// Soft spheres overlap by √(π/2) √(mΘ/k) in the mean (Barker & Henderson 1967), which is t_c f/(24 α_S g_0) diameters:
-/// at t_c f = 0.004 this lowers the frequency by less than 0.2 % at any α_S here. A lattice at random velocities melts
-/// in twenty collisions with ten times longer contacts, then forgets them in five.
-MeasuredFrequency measure_frequency(double solids, int side, double collisions) {
-  constexpr int steps_per_contact = 20, stretches = 20, samples = 20;
-  constexpr double contact_fraction = 0.004, temperature = 1e-3;
-  const double spacing = 2.0 * radius * std::cbrt(std::numbers::pi / 6.0 / solids), length = spacing * side;
-  const double expected = collision::Simonin1991{}(
-      {solids, 2.0 * radius, 2.0 * radius, 1.5 * temperature, 0.0, collision::CarnahanStarling1969{}(solids)});
-  const auto contact_lasting = [&](double fraction) {
-    const double stiffness = 0.5 * mass * std::pow(std::numbers::pi * expected / fraction, 2);
-    return linear(1.0, steps_per_contact, stiffness);
-  };
-  const auto steps_for = [&](double per_sphere, const Engine& engine) {
-    return static_cast<std::int64_t>(per_sphere / expected / engine.time_step());
-  };
-  const auto set_temperature = [&](Particles& particles) {
-    const double scale = std::sqrt(1.5 * temperature / fluctuating_energy(particles));
-    for (auto* component : {&particles.velocity.x, &particles.velocity.y, &particles.velocity.z}) {
-      const double mean = std::accumulate(component->begin(), component->end(), 0.0) / (side * side * side);
-      for (double& u : *component) u = scale * (u - mean);
-    }
-  };
-
-  Engine melting(contact_lasting(10.0 * contact_fraction), {}, {length, length, length}, 1);
-  Uniform uniform(1);
-  const auto site = [&](int k) { return (k + 0.5) * spacing - 0.5 * length; };
-  for (int k = 0; k < side * side * side; ++k) {
-    const std::size_t i =
-        melting.add_particle({site(k % side), site(k / side % side), site(k / side / side)}, radius, density, 0);
-    set(melting.particles.velocity, i, uniform.vector());
-  }
-  set_temperature(melting.particles);
-  melting.advance(steps_for(20.0, melting));
-
-  const Contact contact = contact_lasting(contact_fraction);
-  Engine engine(contact, {}, {length, length, length}, 1);
-  const std::size_t n = melting.particles.size();
-  for (std::size_t i = 0; i < n; ++i) engine.add_particle(melting.particles.position.at(i), radius, density, 0);
-  engine.particles.velocity = melting.particles.velocity;
-  engine.advance(steps_for(5.0, engine));
-  set_temperature(engine.particles);
-
-  const auto events = [&] {
-    std::int64_t sum = 0;
-    for (std::size_t i = 0; i < n; ++i) sum += engine.contact_events(i);
-    return static_cast<double>(sum);
-  };
-  const auto energy = [&] {
-    double sum = 0.0;
-    for (std::size_t i = 0; i < n; ++i) {
-      const auto u = engine.particles.velocity.at(i);
-      sum += 0.5 * mass * (u[0] * u[0] + u[1] * u[1] + u[2] * u[2]);
-    }
-    for (const auto& pair : engine.touching_pairs())
-      sum += 0.5 * pair.normal_force * pair.normal_force / contact.stiffness;
-    return sum;
-  };
-  engine.advance(1);
-  const double first_energy = energy();
-  MeasuredFrequency result{};
-  std::vector<double> frequency;
-  const std::int64_t steps = steps_for(collisions / (stretches * samples), engine);
-  for (int stretch = 0; stretch < stretches; ++stretch) {
-    const double before = events();
-    double q2 = 0.0;
-    for (int sample = 0; sample < samples; ++sample) {
-      engine.advance(steps);
-      q2 += fluctuating_energy(engine.particles) / samples;
-      result.energy_change = std::max(result.energy_change, std::abs(energy() / first_energy - 1.0));
-    }
-    const double per_time = (events() - before) / (static_cast<double>(n * samples * steps) * engine.time_step());
-    frequency.push_back(per_time * 2.0 * radius / std::sqrt(q2));
-    result.contact_fraction +=
-        per_time * LinearSpringDashpot::contact_time(contact.stiffness, 1.0, 0.5 * mass) / stretches;
-  }
-  for (double f : frequency) result.value += f / stretches;
-  for (double f : frequency) result.error += (f - result.value) * (f - result.value) / (stretches * (stretches - 1.0));
-  result.error = std::sqrt(result.error);
-  return result;
-}
-
 double kinetic_theory(double solids, double contact_value) {
   return collision::Simonin1991{}({solids, 1.0, 1.0, 1.0, 0.0, contact_value});
 }
@@ -335,7 +246,7 @@ class CollisionFrequency : public testing::TestWithParam<double> {};
 
 TEST_P(CollisionFrequency, IsThatOfKineticTheory) {
   const double solids = GetParam();
-  const MeasuredFrequency measured = measure_frequency(solids, 10, 32.0);
+  const kinetic::MeasuredFrequency measured = kinetic::measure_frequency(solids, 10, 32.0);
   const double expected = kinetic_theory(solids, collision::CarnahanStarling1969{}(solids));
   EXPECT_NEAR(measured.value, expected, 0.03 * expected);
   EXPECT_LT(measured.error, 0.015 * expected);
