@@ -55,7 +55,11 @@ struct ContactBatch {
 template <bool AtWall, class Law, class Rolling>
 void compute_contacts(ContactBatch& b, std::size_t count, const Law& law, const CoulombFriction& friction,
                       const Rolling& rolling, double time_step) {
+#ifdef __clang__
+#pragma clang loop vectorize(assume_safety)
+#else
 #pragma GCC ivdep
+#endif
   for (std::size_t k = 0; k < count; ++k) {
     const Vec3 d = b.place_j.at(k) - b.place_i.at(k);
     const double ri = b.place_i.w[k], rj = b.place_j.w[k];
