@@ -198,7 +198,7 @@ FigureOutput draw(const FigureContext& context) {
                [&](const Method& method, int steps) { return strike(impact, method, steps, truth, contact_time); });
   }
   const std::string commands =
-      "set multiplot layout 2,4 margins 0.06,0.99,0.11,0.95 spacing 0.045,0.15\n"
+      "set multiplot layout 2,4 margins 0.06,0.985,0.11,0.93 spacing 0.045,0.15\n"
       "set logscale xy\nset format '10^{%L}'\nset yrange [1e-9:1]\nset ytics 1e2\nset key bottom left reverse Left "
       "samplen 1 font ',11'\nset xlabel 'force evaluations per contact'\nset xrange [4:5000]\n"
       "set arrow 1 from 5.4, graph 0 to 5.4, graph 1 nohead linestyle 20\nset ylabel 'relative error [-]'\n" +
