@@ -59,18 +59,24 @@ void add_weight(dem::Engine& engine) {
     engine.external_force.z[i] = -gravity * engine.particles.mass[i];
 }
 
-/// Settles a loose packing: first soft and with little rebound, which allows long steps, then with the scene's contact.
+/// Settles a loose packing with little rebound: first with soft contacts, which allow long steps, then with the scene's
+/// stiffness until that has come to rest too.
 dem::Particles settle(const DemScene& scene, int threads) {
-  Contact soft = contact_of(scene);
-  soft.stiffness = 1e3;
-  soft.restitution = 0.3;
-  soft.time_step = 5e-5;
-  dem::Engine engine = empty_engine(scene, soft, threads);
+  dem::Particles state;
   for (const dem::PlacedSphere& sphere : dem::loose_packing(column(scene)))
-    engine.add_particle(sphere.centre, 0.5 * scene.diameter, density, 0);
-  add_weight(engine);
-  engine.advance(std::llround(0.5 / soft.time_step));
-  return engine.particles;
+    state.add(sphere.centre, 0.5 * scene.diameter, density, 0);
+  for (const bool soft : {true, false}) {
+    Contact contact = contact_of(scene);
+    contact.restitution = 0.3;
+    if (soft) contact.stiffness = 1e3, contact.time_step = 5e-5;
+    dem::Engine engine = empty_engine(scene, contact, threads);
+    for (std::size_t i = 0; i < state.size(); ++i)
+      engine.add_particle(state.position.at(i), 0.5 * scene.diameter, density, 0);
+    add_weight(engine);
+    engine.advance(std::llround((soft ? 0.35 : 0.05) / contact.time_step));
+    state = engine.particles;
+  }
+  return state;
 }
 
 /// A simple cubic lattice with random velocities, left to melt.
