@@ -71,7 +71,8 @@ class CellSearch {
         if (k >= 0 && k < cells_[a]) around[a][count[a]++] = k;
       }
     const Row own = place[i];
-    std::vector<Found> found;
+    thread_local std::vector<Found> found;
+    found.clear();
     for (std::size_t z = 0; z < count[2]; ++z)
       for (std::size_t y = 0; y < count[1]; ++y)
         for (std::size_t x = 0; x < count[0]; ++x) {

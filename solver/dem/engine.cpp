@@ -387,23 +387,17 @@ void Engine::list_pairs(double skin) {
 
 Engine::Records Engine::contact_records() const {
   Records records;
-  if (!list_valid_) return records;
-  const auto touching = static_cast<std::uint32_t>(steps_);
-  for (const auto& share : shares_)
-    for (const PairList* list : {&share->inner, &share->outer, &share->wall})
-      for (std::uint32_t p = 0; p < list->second.size(); ++p) {
-        if (list->last_step[p] != touching) continue;
-        const bool at_wall = list == &share->wall;
-        ContactRecord record{order_[list->first[p]],   at_wall ? list->second[p] : order_[list->second[p]],
-                             list->memory[p].vector(), list->rolling_memory[p].vector(),
-                             list->first_step[p],      list->impact_speed[p]};
-        if (!at_wall && record.first > record.second) {
-          std::swap(record.first, record.second);
-          record.spring = -1.0 * record.spring;
-          record.rolling_memory = -1.0 * record.rolling_memory;
-        }
-        (at_wall ? records.walls : records.spheres).push_back(record);
-      }
+  for_contacts([&](std::uint32_t i, std::uint32_t j, const PairList& list, std::uint32_t p, bool at_wall) {
+    ContactRecord record{
+        order_[i],          at_wall ? j : order_[j], list.memory[p].vector(), list.rolling_memory[p].vector(),
+        list.first_step[p], list.impact_speed[p]};
+    if (!at_wall && record.first > record.second) {
+      std::swap(record.first, record.second);
+      record.spring = -1.0 * record.spring;
+      record.rolling_memory = -1.0 * record.rolling_memory;
+    }
+    (at_wall ? records.walls : records.spheres).push_back(record);
+  });
   return records;
 }
 
@@ -716,7 +710,13 @@ void Engine::advance(std::int64_t steps) {
   pack();
   tracked_sum_ = {};
   (this->*predict_)(0, particles.size());
-  for (std::int64_t s = 0; s < steps; ++s) one_step(s + 1 == steps ? StepMode::final : StepMode::middle);
+  std::int64_t done = 0;
+  try {
+    for (; done < steps; ++done) one_step(done + 1 == steps ? StepMode::final : StepMode::middle);
+  } catch (const EngineError&) {
+    unpack(done + 1);  // so that what is saved is the state that failed
+    throw;
+  }
   unpack(steps);
   mean_tracked_force_ = {};
   if (tracked_) {
@@ -823,13 +823,9 @@ void Engine::finish_collisions() {
 }
 
 void Engine::collect_collisions(bool on) {
-  take_collisions();
+  collect_collisions_ = true;
+  take_collisions();  // what has ended before is nobody's business
   collect_collisions_ = on;
-  // What has ended before is nobody's business.
-  for (auto& share : shares_)
-    for (PairList* list : {&share->inner, &share->outer})
-      for (std::size_t p = 0; p < list->second.size(); ++p)
-        if (list->last_step[p] != static_cast<std::uint32_t>(steps_)) list->impact_speed[p] = -1.0;
 }
 
 std::vector<Collision> Engine::take_collisions() {

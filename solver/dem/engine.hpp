@@ -192,7 +192,7 @@ class Engine {
   std::vector<std::uint32_t> order_, slot_of_;  ///< number of the sphere in a slot, and back
   std::vector<Row> place_;                      ///< centre; radius
   std::vector<Row> velocity_, spin_;            ///< w: 1/m, 1/I
-  std::vector<Row> force_, torque_;             ///< of contacts with other spheres, zero between steps
+  std::vector<Row> force_, torque_;             ///< of contacts with spheres and walls, zero between steps
   std::vector<Row> wall_force_row_;             ///< of walls at the last step
   std::vector<Row> contact_force_row_;          ///< of other spheres at the last step
   std::vector<Row> constant_;                   ///< acceleration by the external force
