@@ -128,12 +128,6 @@ class Simulation {
   std::int64_t steps_at_start_ = 0;
 };
 
-double largest_radius(const Scene& scene) {
-  double radius = 0.0;
-  for (const Species& species : scene.species) radius = std::max(radius, 0.5 * species.diameter);
-  return radius;
-}
-
 std::array<double, 3> period_of(const Scene& scene) {
   if (scene.geometry.shape != Shape::box || scene.fluid.wall != LateralBoundary::periodic) return {0.0, 0.0, 0.0};
   return {scene.geometry.width[0], scene.geometry.width[1], 0.0};
@@ -145,8 +139,8 @@ Simulation::Simulation(const Scene& scene, const RunOptions& options)
       engine_(scene.contact, dem::walls_of(scene), period_of(scene), options.threads),
       substeps_(std::llround(scene.fluid.time_step / scene.contact.time_step)) {
   if (scene.fluid.tier != FluidTier::quiescent) liquid_ = std::make_unique<fluid::LiquidSolver>(scene);
-  still_ = std::make_unique<coupling::PhaseCoupling>(scene, nullptr, largest_radius(scene));
-  coupled_ = std::make_unique<coupling::PhaseCoupling>(scene, liquid_.get(), largest_radius(scene));
+  still_ = std::make_unique<coupling::PhaseCoupling>(scene, nullptr);
+  coupled_ = std::make_unique<coupling::PhaseCoupling>(scene, liquid_.get());
 }
 
 void Simulation::start() {

@@ -9,8 +9,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "experiments/bench/sphere_file.hpp"
 #include "solver/dem/packing.hpp"
-#include "solver/io/hdf5_file.hpp"
 
 namespace slfb::bench {
 namespace {
@@ -106,18 +106,6 @@ dem::Particles melt(const DemScene& scene, int threads) {
   return engine.particles;
 }
 
-std::vector<std::pair<std::string, std::vector<double>*>> columns_of(dem::Particles& particles) {
-  return {{"position/x", &particles.position.x},
-          {"position/y", &particles.position.y},
-          {"position/z", &particles.position.z},
-          {"velocity/x", &particles.velocity.x},
-          {"velocity/y", &particles.velocity.y},
-          {"velocity/z", &particles.velocity.z},
-          {"angular_velocity/x", &particles.angular_velocity.x},
-          {"angular_velocity/y", &particles.angular_velocity.y},
-          {"angular_velocity/z", &particles.angular_velocity.z}};
-}
-
 }  // namespace
 
 const std::vector<DemScene>& dem_scenes() {
@@ -132,18 +120,14 @@ const std::vector<DemScene>& dem_scenes() {
 
 dem::Engine prepare(const DemScene& scene, int threads, const std::filesystem::path& cache,
                     const std::function<void(const std::string&)>& say) {
-  const auto file = cache / fmt::format("{}_v{}.h5", scene.letter, numerics_version);
+  const auto file = cache / fmt::format("{}_v{}_spheres.h5", scene.letter, numerics_version);
   dem::Particles state;
   if (std::filesystem::exists(file)) {
-    const auto h5 = io::Hdf5File::open(file);
-    for (auto& [name, values] : columns_of(state)) *values = h5.read_doubles(name);
+    state = load_spheres(file);
   } else {
     say(fmt::format("preparing scene {} ({}), once", scene.letter, scene.description));
     state = is_gas(scene) ? melt(scene, threads) : settle(scene, threads);
-    std::filesystem::create_directories(cache);
-    io::write_atomically(file, [&](io::Hdf5File& h5) {
-      for (auto& [name, values] : columns_of(state)) h5.write(name, *values);
-    });
+    save_spheres(file, state);
   }
   dem::Engine engine = empty_engine(scene, contact_of(scene), threads);
   for (std::size_t i = 0; i < scene.particles; ++i)

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "experiments/bench/coupled_bench.hpp"
 #include "experiments/bench/dem_bench.hpp"
 
 namespace slfb {
@@ -65,6 +66,64 @@ void bench_dem(const DemOptions& options) {
   if (options.json) fmt::print("{}\n", nlohmann::ordered_json{{"results", results}}.dump(2));
 }
 
+struct CoupledOptions {
+  std::vector<std::string> cases{"paper-5mm"};
+  std::vector<std::string> overrides;
+  int threads = 2;
+  double seconds = 0.5;
+  bool json = false;
+};
+
+void bench_coupled(const CoupledOptions& options) {
+  const auto say = [](const std::string& text) { fmt::print(stderr, "slfb: {}\n", text); };
+  const std::filesystem::path cache = std::filesystem::path(SLFB_BUILD_DIR) / "bench";
+  nlohmann::ordered_json results = nlohmann::ordered_json::array();
+  for (const std::string& name : options.cases) {
+    const auto& cases = bench::coupled_cases();
+    bench::CoupledCase chosen =
+        *std::find_if(cases.begin(), cases.end(), [&](const auto& c) { return c.name == name; });
+    chosen.overrides.insert(chosen.overrides.end(), options.overrides.begin(), options.overrides.end());
+    const bench::CoupledTiming timing =
+        bench::time_coupled(bench::scene_of(chosen), options.threads, options.seconds, cache, say);
+    const std::vector<std::pair<const char*, double>> stages{{"void_fraction", timing.void_fraction},
+                                                             {"exchange", timing.exchange},
+                                                             {"momentum", timing.momentum},
+                                                             {"pressure", timing.pressure},
+                                                             {"particle_motion", timing.particle_motion}};
+    if (options.json) {
+      nlohmann::ordered_json parts;
+      for (const auto& [stage, seconds] : stages) parts[stage] = seconds / timing.simulated_seconds;
+      results.push_back({{"case", name},
+                         {"description", chosen.description},
+                         {"threads", timing.threads},
+                         {"particles", timing.particles},
+                         {"cells", timing.cells},
+                         {"simulated_seconds", timing.simulated_seconds},
+                         {"wall_seconds_per_simulated_second", timing.wall_seconds_per_simulated_second()},
+                         {"cpu_seconds_per_simulated_second", timing.cpu_seconds_per_simulated_second()},
+                         {"wall_seconds_per_simulated_second_by_stage", parts},
+                         {"voidage", timing.voidage},
+                         {"contacts_per_particle", timing.contacts_per_particle},
+                         {"pressure_iterations_per_step", timing.pressure_iterations_per_step},
+                         {"continuity_error", timing.continuity_error}});
+      continue;
+    }
+    fmt::print("{}: {}\n", name, chosen.description);
+    fmt::print("  {} spheres, {} cells, {} threads, {} s simulated; voidage {:.3f}, {:.2f} contacts per sphere\n",
+               timing.particles, timing.cells, timing.threads, timing.simulated_seconds, timing.voidage,
+               timing.contacts_per_particle);
+    fmt::print("  {:.2f} s wall and {:.2f} s of CPU per simulated second: 23 s take {:.1f} min\n",
+               timing.wall_seconds_per_simulated_second(), timing.cpu_seconds_per_simulated_second(),
+               timing.wall_seconds_per_simulated_second() * 23.0 / 60.0);
+    for (const auto& [stage, seconds] : stages)
+      fmt::print("  {:<16} {:8.2f} s {:6.1f} %\n", stage, seconds / timing.simulated_seconds,
+                 100.0 * seconds / timing.wall_seconds);
+    fmt::print("  pressure: {:.1f} iterations per step, continuity to {:.1e} of the inlet flow\n",
+               timing.pressure_iterations_per_step, timing.continuity_error);
+  }
+  if (options.json) fmt::print("{}\n", nlohmann::ordered_json{{"results", results}}.dump(2));
+}
+
 }  // namespace
 
 void add_bench_command(CLI::App& app) {
@@ -95,6 +154,33 @@ void add_bench_command(CLI::App& app) {
       "Example:\n  slfb bench dem --scene A C --threads 2\n\n"
       "tests/bench/compare_dem times LAMMPS and LIGGGHTS beside it.");
   dem->callback([options] { bench_dem(*options); });
+
+  auto coupled_options = std::make_shared<CoupledOptions>();
+  std::string cases;
+  std::vector<std::string> names;
+  for (const auto& c : bench::coupled_cases()) {
+    cases += fmt::format("\n  {}  {}", c.name, c.description);
+    names.push_back(c.name);
+  }
+  CLI::App* coupled = bench->add_subcommand("coupled",
+                                            "Spheres and liquid together, by stage, in a bed that is already "
+                                            "fluidised.\nThe conditions and steps of Peng 2014 "
+                                            "on about its mesh, with the suite's own schemes. The cases:" +
+                                                cases);
+  coupled->add_option("--case", coupled_options->cases, "Case; several are timed one after the other")
+      ->check(CLI::IsMember(names))
+      ->capture_default_str();
+  coupled->add_option("--threads", coupled_options->threads, "Threads")
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str();
+  coupled->add_option("--seconds", coupled_options->seconds, "Simulated time that is timed [s]")
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str();
+  coupled->add_option("--set", coupled_options->overrides,
+                      "Change the scene: a dotted key of the scene file and a value, as in fluid.time_step=1e-3");
+  coupled->add_flag("--json", coupled_options->json, "Results for programs");
+  coupled->footer("Example:\n  slfb bench coupled --case paper-3mm --threads 2 --set fluid.time_step=2e-4");
+  coupled->callback([coupled_options] { bench_coupled(*coupled_options); });
 }
 
 }  // namespace slfb

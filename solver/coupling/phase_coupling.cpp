@@ -4,13 +4,22 @@
 #include <cmath>
 
 #include "correlations/drag/drag_laws.hpp"
+#include "solver/stopwatch.hpp"
 
 namespace slfb::coupling {
+namespace {
 
-PhaseCoupling::PhaseCoupling(const Scene& scene, fluid::LiquidSolver* liquid, double largest_radius)
-    : scene_(scene), liquid_(liquid) {
+double largest_radius(const Scene& scene) {
+  double radius = 0.0;
+  for (const Species& species : scene.species) radius = std::max(radius, 0.5 * species.diameter);
+  return radius;
+}
+
+}  // namespace
+
+PhaseCoupling::PhaseCoupling(const Scene& scene, fluid::LiquidSolver* liquid) : scene_(scene), liquid_(liquid) {
   if (liquid != nullptr)
-    shares_.emplace(scene.coupling.void_fraction, scene.coupling.meshing_pieces, liquid->grid(), largest_radius);
+    shares_.emplace(scene.coupling.void_fraction, scene.coupling.meshing_pieces, liquid->grid(), largest_radius(scene));
   // One indirect call per step; the law itself is inlined in the loop over the spheres.
   law_ = drag::with_drag_law(scene.coupling.drag_law, [](auto law) -> LawKernel {
     return [law](std::span<const double> voidage, std::span<const double> reynolds, std::span<double> result) {
@@ -74,6 +83,7 @@ void PhaseCoupling::advance(dem::Engine& engine, double time_step) {
   for (std::size_t i = 0; i < n; ++i) volume_[i] = particles.volume(i);
 
   if (liquid_ != nullptr) {
+    const Stopwatch stopwatch(void_fraction_seconds_);
     const fluid::ColumnGrid& grid = liquid_->grid();
     shares_->update(particles, engine.threads());
     shares_->scatter(volume_, solid_);

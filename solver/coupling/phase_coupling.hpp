@@ -24,7 +24,7 @@ namespace slfb::coupling {
 class PhaseCoupling {
  public:
   /// `liquid` may be null: quiescent liquid, single-sphere drag (voidage 1), nothing given back.
-  PhaseCoupling(const Scene& scene, fluid::LiquidSolver* liquid, double largest_radius);
+  PhaseCoupling(const Scene& scene, fluid::LiquidSolver* liquid);
 
   /// Solves the liquid over `time_step` from the present spheres and sets their external_force.
   void advance(dem::Engine& engine, double time_step);
@@ -47,6 +47,9 @@ class PhaseCoupling {
   [[nodiscard]] std::vector<double> void_fraction() const;
   [[nodiscard]] std::array<std::vector<double>, 3> cell_velocity() const;
 
+  /// Wall time spent so far on void fractions [s].
+  [[nodiscard]] double void_fraction_seconds() const { return void_fraction_seconds_; }
+
   /// Liquid volume per cell at the last step, for checkpoints [m³].
   [[nodiscard]] const std::vector<double>& liquid_volume() const { return liquid_before_; }
   void restore(std::vector<double> liquid_volume) { liquid_before_ = std::move(liquid_volume); }
@@ -68,6 +71,7 @@ class PhaseCoupling {
   std::vector<double> volume_, voidage_, reynolds_, dimensionless_drag_, coefficient_, momentum_;
   std::array<std::vector<double>, 3> liquid_velocity_, drag_, pressure_force_, other_force_, predicted_velocity_,
       stress_, cell_velocity_, cell_stress_;
+  double void_fraction_seconds_ = 0.0;
 };
 
 }  // namespace slfb::coupling

@@ -229,17 +229,20 @@ bool Engine::moved_by_caller(std::size_t s) const {
 
 /// Takes the state from `particles`; where somebody has moved a sphere, the list is looked at before the next step.
 void Engine::pack() {
+  bool moved = false;
+#pragma omp parallel for num_threads(threads_) schedule(static) reduction(|| : moved)
   for (std::size_t s = 0; s < particles.size(); ++s) {
     const std::size_t i = order_[s];
     const Vec3 x = load(particles.position, i), v = load(particles.velocity, i),
                w = load(particles.angular_velocity, i);
     const double inverse_mass = 1.0 / particles.mass[i];
-    if (moved_by_caller(s)) travel_ = std::numeric_limits<double>::infinity();
+    moved = moved || moved_by_caller(s);
     place_[s] = {x.x, x.y, x.z, particles.radius[i]};
     velocity_[s] = {v.x, v.y, v.z, inverse_mass};
     spin_[s] = {w.x, w.y, w.z, inverse_mass / (0.4 * particles.radius[i] * particles.radius[i])};
     constant_[s].set(inverse_mass * load(external_force, i));
   }
+  if (moved) travel_ = std::numeric_limits<double>::infinity();
 }
 
 /// Calls visit(first slot, second slot or wall, list, pair, at_wall) for all contacts of the last step.
@@ -255,6 +258,7 @@ void Engine::for_contacts(Visit visit) const {
 
 void Engine::unpack(std::int64_t steps) {
   const double inverse_time = 1.0 / (static_cast<double>(steps) * time_step_);
+#pragma omp parallel for num_threads(threads_) schedule(static)
   for (std::size_t s = 0; s < particles.size(); ++s) {
     const std::size_t i = order_[s];
     const Vec3 v = velocity_[s].vector();
@@ -266,13 +270,8 @@ void Engine::unpack(std::int64_t steps) {
     store(contact_force_, i, contact_force_row_[s].vector());
     store(wall_force_, i, wall_force_row_[s].vector());
     contact_events_[i] = events_[s];
+    contacts_[i] = touched_[s];
   }
-  std::fill(contacts_.begin(), contacts_.end(), 0);
-  for_contacts([&](std::uint32_t a, std::uint32_t b, const PairList&, std::uint32_t, bool at_wall) {
-    if (at_wall) return;
-    ++contacts_[order_[a]];
-    ++contacts_[order_[b]];
-  });
 }
 
 // --- the neighbour list ----------------------------------------------------------------------------------------------
@@ -307,6 +306,7 @@ void Engine::list_anew(const Records& records, std::optional<double> skin) {
   for (auto* rows : {&place_, &velocity_, &spin_, &constant_}) rows->resize(n);
   for (auto* rows : {&force_, &torque_, &wall_force_row_, &contact_force_row_}) rows->assign(n, {});
   events_ = contact_events_;
+  touched_.assign(n, 0);
   pack();
   list_valid_ = false;
   list_pairs(skin ? *skin : choose_skin());
@@ -595,6 +595,7 @@ void Engine::receive(const Share& share) {
       if (j < share.first || j >= share.last) continue;
       store(force_[j], load(force_[j]) - other->outer_effect[k].force);
       store(torque_[j], load(torque_[j]) + other->outer_effect[k].torque_j);
+      ++touched_[j];
       if (other->outer.first_step[p] == now()) ++events_[j];
     }
   }
@@ -603,8 +604,7 @@ void Engine::receive(const Share& share) {
 template <class Law, class Rolling>
 void Engine::sweep(Share& share, StepMode mode) {
   if (mode == StepMode::final)
-    std::fill(wall_force_row_.begin() + static_cast<std::ptrdiff_t>(share.first),
-              wall_force_row_.begin() + static_cast<std::ptrdiff_t>(share.last), Row{});
+    for (std::size_t s = share.first; s < share.last; ++s) wall_force_row_[s] = {}, touched_[s] = 0;
   if (!share.wall.second.empty()) compute_walls<Law, Rolling>(share, mode);
   receive(share);
   share.speed_squared = share.speed_sum = 0.0;
@@ -621,6 +621,11 @@ void Engine::sweep(Share& share, StepMode mode) {
                                   store(force_[j], load(force_[j]) - force);
                                   store(torque_[j], load(torque_[j]) + torque_j);
                                 });
+    if (mode == StepMode::final)
+      for (std::size_t k = 0; k < count; ++k) {
+        ++touched_[list.first[share.touching[k]]];
+        ++touched_[list.second[share.touching[k]]];
+      }
     for (const std::uint32_t k : share.fresh) {
       ++events_[list.first[share.touching[k]]];
       ++events_[list.second[share.touching[k]]];
@@ -631,6 +636,7 @@ void Engine::sweep(Share& share, StepMode mode) {
       const OuterEffect& effect = share.outer_effect[share.outer_next];
       store(force_[i], load(force_[i]) + effect.force);
       store(torque_[i], load(torque_[i]) + effect.torque_i);
+      ++touched_[i];
       if (share.outer.first_step[p] == now()) ++events_[i];
     }
     if (tracked_slot_ >= first && tracked_slot_ < last)
@@ -709,7 +715,7 @@ void Engine::advance(std::int64_t steps) {
   }
   pack();
   tracked_sum_ = {};
-  (this->*predict_)(0, particles.size());
+  for_shares([&](Share& share) { (this->*predict_)(share.first, share.last); });
   std::int64_t done = 0;
   try {
     for (; done < steps; ++done) one_step(done + 1 == steps ? StepMode::final : StepMode::middle);

@@ -199,6 +199,7 @@ class Engine {
   std::vector<Row> origin_;                     ///< centres when the list was built
   std::vector<Row> integrator_;
   std::vector<std::int64_t> events_;
+  std::vector<int> touched_;  ///< spheres in contact at the last step of advance()
   std::size_t integrator_rows_ = 0;
   std::vector<Row> row_scratch_;
   std::vector<std::uint32_t> number_scratch_;

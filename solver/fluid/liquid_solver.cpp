@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "solver/stopwatch.hpp"
+
 namespace slfb::fluid {
 namespace {
 
@@ -53,11 +55,14 @@ LiquidSolver::LiquidSolver(const Scene& scene, bool closed)
       closed_(closed),
       pressure_(grid_.size(), 0.0),
       volume_change_(grid_.size(), 0.0),
-      dilatation_(grid_.size(), 0.0) {
+      dilatation_(grid_.size(), 0.0),
+      pressure_equation_(grid_, closed),
+      imbalance_(grid_.size(), 0.0),
+      correction_(grid_.size(), 0.0),
+      residual_(grid_.size(), 0.0) {
   for (std::size_t a = 0; a < 3; ++a) build_component(a);
   change_.resize(as_index(grid_.layers()) + 1);
   peak_.resize(change_.size());
-  assemble_pattern();
 }
 
 void LiquidSolver::build_component(std::size_t a) {
@@ -625,100 +630,57 @@ void LiquidSolver::update_pressure_gradient() {
   }
 }
 
-void LiquidSolver::assemble_pattern() {
-  const int layers = grid_.layers();
-  std::vector<Eigen::Triplet<double>> entries;
-  const auto cell = [&](int c, int k) { return static_cast<int>(index(c, k, layers)); };
-  for (std::size_t i = 0; i < grid_.size(); ++i) entries.emplace_back(static_cast<int>(i), static_cast<int>(i), 1.0);
-  const auto add = [&](int i, int j) {
-    entries.emplace_back(i, j, 0.0);
-    entries.emplace_back(j, i, 0.0);
-  };
-  for (std::size_t a : {std::size_t{0}, std::size_t{1}})
-    for (const auto& face : grid_.faces(a))
-      for (int k = 0; k < layers; ++k) add(cell(face.first, k), cell(face.second, k));
-  for (int c = 0; c < grid_.cells(); ++c)
-    for (int k = 0; k + 1 < layers; ++k) add(cell(c, k), cell(c, k + 1));
-  const int n = static_cast<int>(grid_.size());
-  matrix_.resize(n, n);
-  matrix_.setFromTriplets(entries.begin(), entries.end());
-  matrix_.makeCompressed();
-  diagonal_entry_.resize(grid_.size());
-  for (int i = 0; i < n; ++i) diagonal_entry_[as_index(i)] = &matrix_.coeffRef(i, i);
-  for (std::size_t a = 0; a < 3; ++a)
-    for (int s = 0; s < component_[a].sections; ++s)
-      for (int k = 0; k < component_[a].levels; ++k) {
-        std::array<double*, 2> pointers{nullptr, nullptr};
-        if (a != vertical) {
-          const auto& face = grid_.faces(a)[as_index(s)];
-          const int i = cell(face.first, k), j = cell(face.second, k);
-          pointers = {&matrix_.coeffRef(i, j), &matrix_.coeffRef(j, i)};
-        } else if (k > 0 && k < layers) {
-          const int i = cell(s, k - 1), j = cell(s, k);
-          pointers = {&matrix_.coeffRef(i, j), &matrix_.coeffRef(j, i)};
-        }
-        lower_entry_.push_back(pointers);
-      }
-  imbalance_.resize(n);
-  correction_.resize(n);
-  residual_.resize(n);
-  solver_.setTolerance(pressure_tolerance_);
-  solver_.setMaxIterations(2000);
-  solver_.preconditioner().set_layers(layers);
-}
-
 /// Pressure correction: u = u* − m ∇δp with m = liquid volume over (inertia + drag) per node, so that continuity
 /// ∂V_L/∂t + Σ α u A = 0 (Eq. 26) holds in every cell. Returns the largest imbalance before the correction over the
 /// inlet flow.
 double LiquidSolver::correct_pressure(const Exchange& exchange) {
+  const Stopwatch stopwatch(cost_.pressure_seconds);
   const int layers = grid_.layers();
   update_flows();
-  for (std::size_t i = 0; i < grid_.size(); ++i) imbalance_[static_cast<Eigen::Index>(i)] = -volume_change_[i];
-
-  std::fill(matrix_.valuePtr(), matrix_.valuePtr() + matrix_.nonZeros(), 0.0);
-  std::size_t entry = 0;
+  for (std::size_t i = 0; i < grid_.size(); ++i) imbalance_[i] = -volume_change_[i];
   for (std::size_t a = 0; a < 3; ++a) {
     Component& c = component_[a];
     for (int s = 0; s < c.sections; ++s) {
       const auto& owner = c.owner[as_index(s)];
       const double area = face_area(a, s);
-      for (int k = 0; k < c.levels; ++k, ++entry) {
-        const std::size_t n = index(s, k, c.levels);
-        const auto lower = static_cast<std::ptrdiff_t>(index(owner[0], k, layers)) - (a == vertical ? 1 : 0);
-        const auto upper = static_cast<std::ptrdiff_t>(index(owner[1], k, layers));
-        const bool has_lower = a != vertical || k > 0, has_upper = k < layers;
-        if (has_lower) imbalance_[lower] -= c.flow[n];
-        if (has_upper) imbalance_[upper] += c.flow[n];
-        if (k < c.first || k > c.last) continue;  // the velocity is given
+      const std::size_t start = index(s, 0, c.levels);
+      const double* flow = &c.flow[start];
+      double *lower = &imbalance_[index(owner[0], 0, layers)], *upper = &imbalance_[index(owner[1], 0, layers)];
+      if (a == vertical) {
+        for (int k = 0; k < layers; ++k) lower[k] += flow[k] - flow[k + 1];
+      } else {
+        for (int k = 0; k < layers; ++k) lower[k] -= flow[k];
+        for (int k = 0; k < layers; ++k) upper[k] += flow[k];
+      }
+      for (int k = c.first; k <= c.last; ++k) {
+        const std::size_t n = start + as_index(k);
         c.mobility[n] = c.liquid_now[n] / (c.inertia[n] + exchange.coefficient[a][n]);
-        const double coefficient = c.fraction[n] * area * c.mobility[n] / spacing(a, k);
-        if (has_lower) *diagonal_entry_[static_cast<std::size_t>(lower)] += coefficient;
-        if (has_upper) *diagonal_entry_[static_cast<std::size_t>(upper)] += coefficient;
-        if (lower_entry_[entry][0] != nullptr) {
-          *lower_entry_[entry][0] -= coefficient;
-          *lower_entry_[entry][1] -= coefficient;
-        }
+        pressure_equation_.coefficient[a][n] = c.fraction[n] * area * c.mobility[n] / spacing(a, k);
       }
     }
   }
-  // Without an outlet the pressure is free by a constant: tie it to 0 in one cell, through which nothing flows then.
-  if (closed_) *diagonal_entry_[0] *= 2.0;
   const double inlet_flow = std::max(std::abs(superficial_velocity_), 1e-3) * grid_.section_area();
-  const double largest = imbalance_.cwiseAbs().maxCoeff() / inlet_flow;
+  double largest = 0.0;
+  for (const double value : imbalance_) largest = std::max(largest, std::abs(value));
+  largest /= inlet_flow;
   if (!std::isfinite(largest)) throw FluidError("liquid continuity: an imbalance is not finite");
   continuity_error_ = 0.0;
   if (largest == 0.0) return 0.0;
 
-  solver_.compute(matrix_);
-  correction_ = solver_.solve(imbalance_);
-  if (solver_.info() != Eigen::Success)
+  constexpr int most_iterations = 500;
+  std::fill(correction_.begin(), correction_.end(), 0.0);
+  const auto [iterations, error] =
+      pressure_equation_.solve(imbalance_, correction_, pressure_tolerance_, most_iterations);
+  cost_.pressure_iterations += iterations;
+  if (!(error <= pressure_tolerance_))
     throw FluidError(
         fmt::format("pressure equation: {} iterations leave a relative residual of {:.3g} (tolerance {:.3g})",
-                    solver_.iterations(), solver_.error(), pressure_tolerance_));
-  for (std::size_t i = 0; i < grid_.size(); ++i) pressure_[i] += correction_[static_cast<Eigen::Index>(i)];
+                    iterations, error, pressure_tolerance_));
+  for (std::size_t i = 0; i < grid_.size(); ++i) pressure_[i] += correction_[i];
   update_pressure_gradient<true>();
-  residual_.noalias() = matrix_ * correction_;
-  continuity_error_ = (imbalance_ - residual_).cwiseAbs().maxCoeff() / inlet_flow;
+  pressure_equation_.multiply(correction_, residual_);
+  for (std::size_t i = 0; i < grid_.size(); ++i)
+    continuity_error_ = std::max(continuity_error_, std::abs(imbalance_[i] - residual_[i]) / inlet_flow);
   return largest;
 }
 
@@ -760,19 +722,25 @@ void LiquidSolver::advance(double time_step, const std::vector<double>& before, 
                     "fluid.cell_height) are needed",
                     cell % as_index(grid_.layers()), cell / as_index(grid_.layers())));
   }
-  start_step(time_step, before, now);
-  if (grid_.cells() == 1 && !closed_) return balance_column(exchange);
+  {
+    const Stopwatch stopwatch(cost_.momentum_seconds);
+    start_step(time_step, before, now);
+    if (grid_.cells() == 1 && !closed_) return balance_column(exchange);
+  }
   // The projection takes one pass; SIMPLE repeats it until pressure, velocity and convecting flow agree.
   constexpr int most_iterations = 100;
   const bool simple = pressure_velocity_ == PressureVelocity::simple;
   for (int iteration = 1;; ++iteration) {
-    update_flows();
-    start_viscous();
-    for (std::size_t a = 0; a < 3; ++a) {
-      link_fluxes(a);
-      assemble(a, exchange);
-      solve_momentum(a);
-      finish_viscous(a);
+    {
+      const Stopwatch stopwatch(cost_.momentum_seconds);
+      update_flows();
+      start_viscous();
+      for (std::size_t a = 0; a < 3; ++a) {
+        link_fluxes(a);
+        assemble(a, exchange);
+        solve_momentum(a);
+        finish_viscous(a);
+      }
     }
     const double imbalance = correct_pressure(exchange);
     if (!simple) return;

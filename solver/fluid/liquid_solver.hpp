@@ -1,11 +1,12 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <stdexcept>
 #include <vector>
 
 #include "solver/fluid/column_grid.hpp"
-#include "solver/fluid/section_mean_preconditioner.hpp"
+#include "solver/fluid/pressure_equation.hpp"
 #include "solver/scene/scene.hpp"
 
 namespace slfb::fluid {
@@ -84,6 +85,13 @@ class LiquidSolver {
   /// Largest violation of continuity over all cells at the last step, over the inlet's volume flow [-].
   [[nodiscard]] double continuity_error() const { return continuity_error_; }
 
+  /// Wall time spent so far on the momentum equations and on the pressure equation [s], and its iterations.
+  struct Cost {
+    double momentum_seconds = 0.0, pressure_seconds = 0.0;
+    std::int64_t pressure_iterations = 0;
+  };
+  [[nodiscard]] const Cost& cost() const { return cost_; }
+
   /// Fields that the next step starts from, for checkpoints; those of the step before it only in second order.
   static constexpr std::array<const char*, 12> state_names{
       "velocity_x",         "velocity_y",         "velocity_z",         "viscous_x",      "viscous_y",   "viscous_z",
@@ -118,7 +126,6 @@ class LiquidSolver {
 
   void build_component(std::size_t a);
   void build_stencil(std::size_t a);
-  void assemble_pattern();
   void start_step(double time_step, const std::vector<double>& before, const std::vector<double>& now);
   [[nodiscard]] double face_area(std::size_t a, int section) const;
   [[nodiscard]] double spacing(std::size_t a, int level) const;
@@ -149,12 +156,10 @@ class LiquidSolver {
   std::vector<double> earlier_volume_,
       last_volume_;                    ///< second order: liquid at the start and end of the last step [m³]
   std::vector<double> change_, peak_;  ///< scratch of the momentum sweeps, per level
-  Eigen::SparseMatrix<double> matrix_;
-  std::vector<std::array<double*, 2>> lower_entry_;  ///< per node: both off-diagonal entries of its two cells
-  std::vector<double*> diagonal_entry_;
-  Eigen::VectorXd imbalance_, correction_, residual_;
-  Eigen::ConjugateGradient<Eigen::SparseMatrix<double>, Eigen::Lower | Eigen::Upper, SectionMeanPreconditioner> solver_;
+  PressureEquation pressure_equation_;
+  std::vector<double> imbalance_, correction_, residual_;
   double continuity_error_ = 0.0;
+  Cost cost_;
 };
 
 }  // namespace slfb::fluid
