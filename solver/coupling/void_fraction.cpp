@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include "solver/coupling/sphere_overlap.hpp"
 
@@ -10,12 +11,18 @@ namespace slfb::coupling {
 
 VolumeShares::VolumeShares(VoidFractionScheme scheme, int meshing_pieces, const fluid::ColumnGrid& grid,
                            double largest_radius)
-    : scheme_(scheme), grid_(grid), stride_(1) {
-  if (scheme == VoidFractionScheme::centroid) return;
-  const auto across = [&](double width) {
-    return static_cast<std::size_t>(std::ceil(2.0 * largest_radius / width)) + 1;
-  };
-  stride_ = across(grid.spacing(0)) * across(grid.spacing(1)) * across(grid.cell_height());
+    : scheme_(scheme), grid_(grid) {
+  for (std::size_t a = 0; a < 3; ++a) {
+    Axis& axis = axis_[a];
+    axis.origin = a == 2 ? 0.0 : grid.lower(a);
+    axis.width = a == 2 ? grid.cell_height() : grid.spacing(a);
+    axis.cells = a == 2 ? grid.layers() : grid.squares(a);
+    axis.per_length = 1.0 / axis.width;
+    axis.wraps = a != 2 && grid.periodic();
+    // A diameter of n cells and a bit can reach into n + 2; the allowance is for round-off where it is a whole number.
+    const double diameter = scheme == VoidFractionScheme::centroid ? 0.0 : 2.0 * largest_radius;
+    if (diameter > 0.0) stride_ *= static_cast<std::size_t>(diameter / axis.width * (1.0 + 1e-9)) + 2;
+  }
   if (scheme == VoidFractionScheme::particle_meshing) pieces_ = meshing_template(meshing_pieces);
 }
 
@@ -47,125 +54,126 @@ std::vector<std::array<double, 3>> VolumeShares::meshing_template(int pieces) {
   return centroids;
 }
 
-int VolumeShares::square(std::size_t axis, double coordinate) const {
-  const int k = static_cast<int>(std::floor((coordinate - grid_.lower(axis)) / grid_.spacing(axis)));
-  const int squares = grid_.squares(axis);
-  if (grid_.periodic()) return ((k % squares) + squares) % squares;
-  return std::clamp(k, 0, squares - 1);
+VolumeShares::Block VolumeShares::block_around(const std::array<double, 3>& x, double reach) const {
+  Block block{};
+  for (std::size_t a = 0; a < 3; ++a) {
+    const Axis& axis = axis_[a];
+    int first = static_cast<int>(std::floor((x[a] - reach - axis.origin) * axis.per_length));
+    int last = static_cast<int>(std::floor((x[a] + reach - axis.origin) * axis.per_length));
+    // Nothing is cut outside the grid: what presses into a wall stays in the last cell.
+    if (!axis.wraps) {
+      first = std::clamp(first, 0, axis.cells - 1);
+      last = std::clamp(last, 0, axis.cells - 1);
+    }
+    block.first[a] = first;
+    block.cells[a] = last - first + 1;
+  }
+  return block;
 }
 
-int VolumeShares::layer(double z) const {
-  return std::clamp(static_cast<int>(std::floor(z / grid_.cell_height())), 0, grid_.layers() - 1);
+void VolumeShares::mesh_particle(const Block& block, const std::array<double, 3>& x, double r, double* parts) const {
+  std::array<double, 3> start{}, scale{};
+  for (std::size_t a = 0; a < 3; ++a) {
+    start[a] = (x[a] - axis_[a].origin) * axis_[a].per_length - block.first[a];
+    scale[a] = r * axis_[a].per_length;
+  }
+  const auto cell = [&](const std::array<double, 3>& piece, std::size_t a) {
+    return std::clamp(static_cast<int>(std::floor(start[a] + scale[a] * piece[a])), 0, block.cells[a] - 1);
+  };
+  std::fill_n(parts, block.size(), 0.0);
+  for (const auto& piece : pieces_)
+    parts[(cell(piece, 0) * block.cells[1] + cell(piece, 1)) * block.cells[2] + cell(piece, 2)] += 1.0;
+  for (int n = 0; n < block.size(); ++n) parts[n] /= static_cast<double>(pieces_.size());
 }
 
-std::uint32_t VolumeShares::cell_at(int ix, int iy, int layer) const {
-  return static_cast<std::uint32_t>(grid_.cell_of_square(ix, iy) * grid_.layers() + layer);
+void VolumeShares::cut_sphere(const Block& block, const std::array<double, 3>& x, double r, double* parts) const {
+  const double per_radius = 1.0 / r;
+  const auto planes = [&](std::size_t a) -> PlaneRow {
+    const Axis& axis = axis_[a];
+    return {(axis.origin + (block.first[a] + 1) * axis.width - x[a]) * per_radius, axis.width * per_radius,
+            block.cells[a] - 1};
+  };
+  unit_ball_parts(planes(0), planes(1), planes(2), parts);
 }
 
-void VolumeShares::add(std::size_t i, std::uint32_t cell, double share) {
+void VolumeShares::keep_occupied(std::size_t i, const Block& block) {
   std::uint32_t* cells = &cell_[i * stride_];
   double* shares = &share_[i * stride_];
-  int& count = count_[i];
-  for (int m = 0; m < count; ++m)
-    if (cells[m] == cell) {
-      shares[m] += share;
-      return;
-    }
-  cells[count] = cell;
-  shares[count] = share;
-  ++count;
-}
-
-void VolumeShares::centroid(const dem::Particles& particles, std::size_t i) {
-  const auto x = particles.position.at(i);
-  add(i, cell_at(square(0, x[0]), square(1, x[1]), layer(x[2])), 1.0);
-}
-
-void VolumeShares::particle_meshing(const dem::Particles& particles, std::size_t i) {
-  const auto x = particles.position.at(i);
-  const double r = particles.radius[i];
-  const double share = 1.0 / static_cast<double>(pieces_.size());
-  for (const auto& piece : pieces_)
-    add(i, cell_at(square(0, x[0] + r * piece[0]), square(1, x[1] + r * piece[1]), layer(x[2] + r * piece[2])), share);
-}
-
-void VolumeShares::exact_overlap(const dem::Particles& particles, std::size_t i) {
-  const auto x = particles.position.at(i);
-  const double r = particles.radius[i];
-  // Grid planes that cut the sphere, in units of its radius; outside the grid nothing is cut, so that the rest of a
-  // sphere that presses into a wall stays in the last cell.
-  constexpr std::size_t most = 16;
-  std::array<std::array<double, most>, 3> plane{};
-  std::array<std::array<int, most>, 3> position{};
-  std::array<std::size_t, 3> parts{};
-  for (std::size_t a = 0; a < 3; ++a) {
-    const double width = a == 2 ? grid_.cell_height() : grid_.spacing(a);
-    const double origin = a == 2 ? 0.0 : grid_.lower(a);
-    const int first = static_cast<int>(std::floor((x[a] - r - origin) / width));
-    const int last = static_cast<int>(std::floor((x[a] + r - origin) / width));
-    plane[a][0] = -1.0;
-    for (int k = first; k <= last && parts[a] < most; ++k) {
-      if (k > first) plane[a][parts[a]] = (origin + k * width - x[a]) / r;
-      position[a][parts[a]] =
-          a == 2 ? std::clamp(k, 0, grid_.layers() - 1) : square(a, grid_.lower(a) + (k + 0.5) * width);
-      ++parts[a];
-    }
-  }
-  // Volumes beyond each triple of planes; a cell's part is their alternating difference. The last plane is beyond the
-  // sphere on every axis, where the volume is zero.
-  const auto beyond = [&](std::size_t i0, std::size_t i1, std::size_t i2) {
-    if (i0 == parts[0] || i1 == parts[1] || i2 == parts[2]) return 0.0;
-    return unit_ball_octant(plane[0][i0], plane[1][i1], plane[2][i2]);
+  const auto within = [](const Axis& axis, int k) {
+    return k >= 0 && k < axis.cells ? k : ((k % axis.cells) + axis.cells) % axis.cells;
   };
-  std::array<double, 125> octant{};
-  const std::size_t n1 = parts[1] + 1, n2 = parts[2] + 1;
-  const bool tabulated = (parts[0] + 1) * n1 * n2 <= octant.size();
-  if (tabulated)
-    for (std::size_t i0 = 0; i0 < parts[0]; ++i0)
-      for (std::size_t i1 = 0; i1 < parts[1]; ++i1)
-        for (std::size_t i2 = 0; i2 < parts[2]; ++i2) octant[(i0 * n1 + i1) * n2 + i2] = beyond(i0, i1, i2);
-  const auto value = [&](std::size_t i0, std::size_t i1, std::size_t i2) {
-    return tabulated ? octant[(i0 * n1 + i1) * n2 + i2] : beyond(i0, i1, i2);
-  };
-  constexpr double inverse_ball = 3.0 / (4.0 * std::numbers::pi);
-  for (std::size_t i0 = 0; i0 < parts[0]; ++i0)
-    for (std::size_t i1 = 0; i1 < parts[1]; ++i1)
-      for (std::size_t i2 = 0; i2 < parts[2]; ++i2) {
-        const double part = value(i0, i1, i2) - value(i0 + 1, i1, i2) - value(i0, i1 + 1, i2) - value(i0, i1, i2 + 1) +
-                            value(i0 + 1, i1 + 1, i2) + value(i0 + 1, i1, i2 + 1) + value(i0, i1 + 1, i2 + 1) -
-                            value(i0 + 1, i1 + 1, i2 + 1);
-        if (part > 0.0) add(i, cell_at(position[0][i0], position[1][i1], position[2][i2]), part * inverse_ball);
+  int count = 0, part = 0;
+  for (int ix = 0; ix < block.cells[0]; ++ix)
+    for (int iy = 0; iy < block.cells[1]; ++iy) {
+      const int column =
+          grid_.cell_of_square(within(axis_[0], block.first[0] + ix), within(axis_[1], block.first[1] + iy));
+      const int bottom = column * grid_.layers() + block.first[2];
+      for (int iz = 0; iz < block.cells[2]; ++iz, ++part) {
+        const double share = shares[part];
+        if (share <= 0.0) continue;
+        // Squares outside the round wall belong to cells inside it, so that a cell can come up again.
+        const auto cell = static_cast<std::uint32_t>(bottom + iz);
+        const auto m = std::find(cells, cells + count, cell) - cells;
+        if (m == count) {
+          cells[count] = cell;
+          shares[count] = share;
+          ++count;
+        } else {
+          shares[m] += share;
+        }
       }
+    }
+  count_[i] = count;
 }
 
 void VolumeShares::update(const dem::Particles& particles, int threads) {
   const std::size_t n = particles.size();
   cell_.resize(n * stride_);
   share_.resize(n * stride_);
-  count_.assign(n, 0);
+  count_.resize(n);
 #pragma omp parallel for num_threads(threads) schedule(static)
   for (std::size_t i = 0; i < n; ++i) {
-    switch (scheme_) {
-      case VoidFractionScheme::centroid:
-        centroid(particles, i);
-        break;
-      case VoidFractionScheme::particle_meshing:
-        particle_meshing(particles, i);
-        break;
-      case VoidFractionScheme::exact_overlap:
-        exact_overlap(particles, i);
-        break;
-    }
+    const auto x = particles.position.at(i);
+    const double r = particles.radius[i];
+    const Block block = block_around(x, scheme_ == VoidFractionScheme::centroid ? 0.0 : r);
+    double* parts = &share_[i * stride_];
+    if (block.size() == 1)
+      parts[0] = 1.0;
+    else if (scheme_ == VoidFractionScheme::particle_meshing)
+      mesh_particle(block, x, r, parts);
+    else
+      cut_sphere(block, x, r, parts);
+    keep_occupied(i, block);
   }
+  sort_by_cell(threads);
 }
 
-void VolumeShares::scatter(const std::vector<double>& values, std::vector<double>& cells) const {
-  cells.assign(grid_.size(), 0.0);
-  for (std::size_t i = 0; i < count_.size(); ++i) {
-    const std::uint32_t* cell = this->cells(i);
-    const double* share = shares(i);
-    for (int m = 0; m < count_[i]; ++m) cells[cell[m]] += share[m] * values[i];
+void VolumeShares::sort_by_cell(int threads) {
+  // Counting sort: every thread counts its run of spheres, so that each knows where in a cell's list its spheres go.
+  const std::size_t n = count_.size(), cells = grid_.size(), runs = static_cast<std::size_t>(threads);
+  const auto run_begin = [&](std::size_t run) { return n * run / runs; };
+  place_.assign(runs * cells, 0);
+  list_begin_.resize(cells + 1);
+#pragma omp parallel for num_threads(threads) schedule(static, 1)
+  for (std::size_t run = 0; run < runs; ++run)
+    for (std::size_t i = run_begin(run); i < run_begin(run + 1); ++i)
+      for (int m = 0; m < count_[i]; ++m) ++place_[run * cells + this->cells(i)[m]];
+  std::uint32_t entries = 0;
+  for (std::size_t c = 0; c < cells; ++c) {
+    list_begin_[c] = entries;
+    for (std::size_t run = 0; run < runs; ++run) entries += std::exchange(place_[run * cells + c], entries);
   }
+  list_begin_[cells] = entries;
+  list_sphere_.resize(entries);
+  list_share_.resize(entries);
+#pragma omp parallel for num_threads(threads) schedule(static, 1)
+  for (std::size_t run = 0; run < runs; ++run)
+    for (std::size_t i = run_begin(run); i < run_begin(run + 1); ++i)
+      for (int m = 0; m < count_[i]; ++m) {
+        const std::uint32_t entry = place_[run * cells + this->cells(i)[m]]++;
+        list_sphere_[entry] = static_cast<std::uint32_t>(i);
+        list_share_[entry] = shares(i)[m];
+      }
 }
 
 }  // namespace slfb::coupling

@@ -12,9 +12,10 @@ namespace slfb::coupling {
 /// Shares φ_ic of each sphere's volume in the cells of the grid (Peng 2014, Eq. 29); they add up to one per sphere.
 ///
 /// One set of shares makes the void fraction, gathers liquid values at the spheres and scatters forces back, so that
-/// what one phase loses the other gains. `stride` entries per sphere; unused ones have share 0.
+/// what one phase loses the other gains. Sphere i has `count(i)` of them at `cells(i)` and `shares(i)`.
 class VolumeShares {
  public:
+  /// Spheres must not be larger than `largest_radius` [m].
   VolumeShares(VoidFractionScheme scheme, int meshing_pieces, const fluid::ColumnGrid& grid, double largest_radius);
 
   void update(const dem::Particles& particles, int threads);
@@ -24,8 +25,33 @@ class VolumeShares {
   [[nodiscard]] const double* shares(std::size_t i) const { return &share_[i * stride_]; }
   [[nodiscard]] int count(std::size_t i) const { return count_[i]; }
 
-  /// Σ_i φ_ic value_i per cell.
-  void scatter(const std::vector<double>& values, std::vector<double>& cells) const;
+  /// Σ_i φ_ic value_i per cell, of several fields at once. Each cell adds up its own spheres in their order, so that
+  /// the sum is the same at any number of threads.
+  template <std::size_t fields>
+  void scatter(const std::array<const std::vector<double>*, fields>& values,
+               const std::array<std::vector<double>*, fields>& cells, int threads) const {
+    for (auto* field : cells) field->resize(grid_.size());
+#pragma omp parallel for num_threads(threads) schedule(static)
+    for (std::size_t c = 0; c < grid_.size(); ++c) {
+      std::array<double, fields> sum{};
+      for (std::uint32_t entry = list_begin_[c]; entry < list_begin_[c + 1]; ++entry)
+        for (std::size_t f = 0; f < fields; ++f) sum[f] += list_share_[entry] * (*values[f])[list_sphere_[entry]];
+      for (std::size_t f = 0; f < fields; ++f) (*cells[f])[c] = sum[f];
+    }
+  }
+  void scatter(const std::vector<double>& values, std::vector<double>& cells) const {
+    scatter<1>({&values}, {&cells}, 1);
+  }
+
+  /// Σ_c φ_ic cells_c per sphere, of several fields at once.
+  template <std::size_t fields>
+  void gather(const std::array<const std::vector<double>*, fields>& cells,
+              const std::array<std::vector<double>*, fields>& values, int threads) const {
+    for (auto* field : values) field->resize(count_.size());
+#pragma omp parallel for num_threads(threads) schedule(static)
+    for (std::size_t i = 0; i < count_.size(); ++i)
+      for (std::size_t f = 0; f < fields; ++f) (*values[f])[i] = gather(i, *cells[f]);
+  }
   /// Σ_c φ_ic cells_c for sphere i.
   [[nodiscard]] double gather(std::size_t i, const std::vector<double>& cells) const {
     double sum = 0.0;
@@ -39,21 +65,39 @@ class VolumeShares {
   static std::vector<std::array<double, 3>> meshing_template(int pieces);
 
  private:
-  void centroid(const dem::Particles& particles, std::size_t i);
-  void particle_meshing(const dem::Particles& particles, std::size_t i);
-  void exact_overlap(const dem::Particles& particles, std::size_t i);
-  [[nodiscard]] int square(std::size_t axis, double coordinate) const;
-  [[nodiscard]] int layer(double z) const;
-  [[nodiscard]] std::uint32_t cell_at(int ix, int iy, int layer) const;
-  void add(std::size_t i, std::uint32_t cell, double share);
+  /// Cells along an axis; squares in the section, layers in z.
+  struct Axis {
+    double origin = 0.0, width = 0.0;  ///< [m]
+    double per_length = 0.0;           ///< 1/width [1/m]
+    int cells = 0;
+    bool wraps = false;
+  };
+  /// Box of cells that a sphere can reach into.
+  struct Block {
+    std::array<int, 3> first, cells;
+    [[nodiscard]] int size() const { return cells[0] * cells[1] * cells[2]; }
+  };
+  [[nodiscard]] Block block_around(const std::array<double, 3>& x, double reach) const;
+  /// Shares of the block's cells, z fastest: by counting pieces, and exactly.
+  void mesh_particle(const Block& block, const std::array<double, 3>& x, double r, double* parts) const;
+  void cut_sphere(const Block& block, const std::array<double, 3>& x, double r, double* parts) const;
+  /// Turns the shares of the block's cells, written where sphere i keeps its own, into cells and shares.
+  void keep_occupied(std::size_t i, const Block& block);
+  /// Lists each cell's spheres and shares.
+  void sort_by_cell(int threads);
 
   VoidFractionScheme scheme_;
   const fluid::ColumnGrid& grid_;
-  std::size_t stride_;
+  std::array<Axis, 3> axis_;
+  std::size_t stride_ = 1;
   std::vector<std::array<double, 3>> pieces_;
   std::vector<std::uint32_t> cell_;
   std::vector<double> share_;
   std::vector<int> count_;
+  // The same shares, cell after cell; a cell's spheres in their order.
+  std::vector<std::uint32_t> list_begin_, list_sphere_;
+  std::vector<double> list_share_;
+  std::vector<std::uint32_t> place_;  ///< where the next sphere of a thread goes in each cell's list
 };
 
 }  // namespace slfb::coupling

@@ -81,7 +81,8 @@ struct Contact {
 struct Coupling {
   std::string drag_law = "gidaspow-1994";
   VoidFractionScheme void_fraction = VoidFractionScheme::exact_overlap;
-  int meshing_pieces = 1214;  ///< particle meshing: pieces per sphere
+  int meshing_pieces = 1214;      ///< particle meshing: pieces per sphere
+  double smoothing_length = 0.0;  ///< bandwidth b of the Gaussian exp(−|x|²/b²) that spreads the shares [m]; 0: none
 };
 
 struct Outlet {

@@ -240,6 +240,11 @@ class PhysicsCheck {
       problem("coupling.drag_law", fmt::format("\"{}\"", scene_.coupling.drag_law), "unknown drag law; allowed is {}",
               law_names<drag::DragLaws>());
     }
+    const double smoothing = scene_.coupling.smoothing_length;
+    if (smoothing > column_width())
+      problem("coupling.smoothing_length", with_unit(smoothing, units::length),
+              "spreads a sphere over the whole section; allowed is at most the column's width, {} m",
+              rounded(column_width()));
   }
 
   void check_stages() {

@@ -159,6 +159,7 @@ void describe(Visitor& visitor, Scene& scene) {
     visitor.text("drag_law", coupling.drag_law, optional);
     visitor.choice("void_fraction", coupling.void_fraction, void_fractions, optional);
     visitor.integer("meshing_pieces", coupling.meshing_pieces, one_to_a_million, optional);
+    visitor.number("smoothing_length", coupling.smoothing_length, u::length, not_negative, optional);
   });
   visitor.section("outlet", [&] { visitor.choice("particles", scene.outlet.rule, outlet_rules, optional); });
   visitor.section("recording", [&] {

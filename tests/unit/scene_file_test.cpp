@@ -45,6 +45,7 @@ time_step = "5e-5 s"
 drag_law = "gidaspow-1994"
 void_fraction = "exact-overlap"
 meshing_pieces = 1214
+smoothing_length = 0
 [outlet]
 particles = "lid"
 [[species]]
@@ -185,6 +186,8 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"time_step = \"5e-5 s\"", "time_step = \"-5e-5 s\"", "contact.time_step", "\"-5e-5 s\"",
                 "greater than zero"},
         Mistake{"meshing_pieces = 1214", "meshing_pieces = 0", "coupling.meshing_pieces", "0", "a whole number from 1"},
+        Mistake{"smoothing_length = 0", "smoothing_length = \"-1 mm\"", "coupling.smoothing_length", "\"-1 mm\"",
+                "zero or greater"},
         Mistake{"total_mass = \"0.5255 kg\"", "count = -1", "species[0].count", "-1", "a whole number from 0"},
         Mistake{"total_mass = \"0.5255 kg\"", "total_mass = \"0.01 g\"", "species[0].total_mass", "\"0.01 g\"",
                 "is 0 spheres"},
@@ -230,6 +233,8 @@ INSTANTIATE_TEST_SUITE_P(
                 "at all; allowed are cells of 0.0025 m or more"},
         Mistake{"drag_law = \"gidaspow-1994\"", "drag_law = \"gidaspow\"", "coupling.drag_law", "\"gidaspow\"",
                 "unknown drag law; allowed is ergun-1952"},
+        Mistake{"smoothing_length = 0", "smoothing_length = \"6 cm\"", "coupling.smoothing_length", "\"6 cm\"",
+                "spreads a sphere over the whole section; allowed is at most the column's width, 0.05 m"},
         Mistake{"species = \"steel\"", "species = \"lead\"", "stage[2].species", "\"lead\"",
                 "no species of that name; allowed is \"glass\", \"steel\""},
         Mistake{"release_height = \"0.997 m\"", "release_height = \"1.0 m\"", "stage[2].release_height", "\"1.0 m\"",
@@ -498,7 +503,7 @@ TEST(SceneHash, DoesNotDependOnWording) {
   text = replaced(text, "\"6.25 mm\"", "\"6250 µm\"");
   text = replaced(text, "\"5e-5 s\"", "\"0.05 ms\"");
   text = replaced(text, "total_mass = \"0.5255 kg\"", "count = 3600");
-  text = replaced(text, "meshing_pieces = 1214\n", "");  // the default
+  text = replaced(text, "meshing_pieces = 1214\nsmoothing_length = 0\n", "");  // the defaults
   EXPECT_EQ(scene_hash(parse_scene(text, "b.toml")), scene_hash(parse_scene(valid_scene, "a.toml")));
 }
 
@@ -528,6 +533,7 @@ TEST(SceneHash, DependsOnEveryValue) {
                                          "coupling.drag_law=wen-yu-1966",
                                          "coupling.void_fraction=particle-meshing",
                                          "coupling.meshing_pieces=1000",
+                                         "coupling.smoothing_length=3 mm",
                                          "outlet.particles=remove",
                                          "species[0].diameter=4.9 mm",
                                          "species[0].density=2300",
