@@ -138,9 +138,10 @@ Simulation::Simulation(const Scene& scene, const RunOptions& options)
       options_(options),
       engine_(scene.contact, dem::walls_of(scene), period_of(scene), options.threads),
       substeps_(std::llround(scene.fluid.time_step / scene.contact.time_step)) {
-  if (scene.fluid.tier != FluidTier::quiescent) liquid_ = std::make_unique<fluid::LiquidSolver>(scene);
+  if (scene.fluid.tier != FluidTier::quiescent)
+    liquid_ = std::make_unique<fluid::LiquidSolver>(scene, false, options.threads);
   still_ = std::make_unique<coupling::PhaseCoupling>(scene, nullptr);
-  coupled_ = std::make_unique<coupling::PhaseCoupling>(scene, liquid_.get());
+  coupled_ = std::make_unique<coupling::PhaseCoupling>(scene, liquid_.get(), scene.liquid.superficial_velocity);
 }
 
 void Simulation::start() {

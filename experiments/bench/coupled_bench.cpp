@@ -36,7 +36,7 @@ class Bed {
   Bed(const Scene& scene, int threads)
       : scene_(scene),
         engine(scene_.contact, dem::walls_of(scene_), {0.0, 0.0, 0.0}, threads),
-        liquid(scene_),
+        liquid(scene_, false, threads),
         exchange(scene_, &liquid) {}
 
   void add(const dem::Particles& spheres) {

@@ -1,5 +1,7 @@
 #include "solver/coupling/phase_coupling.hpp"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -17,10 +19,15 @@ double largest_radius(const Scene& scene) {
 
 }  // namespace
 
-PhaseCoupling::PhaseCoupling(const Scene& scene, fluid::LiquidSolver* liquid) : scene_(scene), liquid_(liquid) {
-  if (liquid != nullptr)
+PhaseCoupling::PhaseCoupling(const Scene& scene, fluid::LiquidSolver* liquid, double prescribed_velocity)
+    : scene_(scene), liquid_(liquid), prescribed_velocity_(prescribed_velocity) {
+  if (liquid != nullptr) {
     shares_.emplace(scene.coupling.void_fraction, scene.coupling.meshing_pieces, liquid->grid(), largest_radius(scene));
-  // One indirect call per step; the law itself is inlined in the loop over the spheres.
+    smoothing_.emplace(liquid->grid(), scene.coupling.smoothing_length);
+    if (scene.coupling.interpolation != Interpolation::shares)
+      point_values_.emplace(liquid->grid(), scene.coupling.interpolation, scene.fluid.wall == LateralBoundary::no_slip);
+  }
+  // One indirect call per block of spheres; the law itself is inlined in the loop over them.
   law_ = drag::with_drag_law(scene.coupling.drag_law, [](auto law) -> LawKernel {
     return [law](std::span<const double> voidage, std::span<const double> reynolds, std::span<double> result) {
       for (std::size_t i = 0; i < voidage.size(); ++i) result[i] = law({voidage[i], reynolds[i]});
@@ -29,121 +36,229 @@ PhaseCoupling::PhaseCoupling(const Scene& scene, fluid::LiquidSolver* liquid) : 
 }
 
 void PhaseCoupling::resize(std::size_t n) {
-  for (auto* field : {&volume_, &voidage_, &reynolds_, &dimensionless_drag_, &coefficient_, &momentum_})
+  for (auto* field : {&volume_, &voidage_, &reynolds_, &coefficient_, &damped_coefficient_, &next_coefficient_})
     field->resize(n);
-  for (auto* fields : {&liquid_velocity_, &drag_, &pressure_force_, &other_force_, &predicted_velocity_, &stress_})
+  for (auto* fields : {&velocity_correction_, &liquid_velocity_, &drag_, &predicted_velocity_, &momentum_})
     for (auto& field : *fields) field.resize(n, 0.0);
 }
 
-/// Voidage, liquid velocity and Reynolds number (Eq. 25) at each sphere, then the drag coefficient K.
-void PhaseCoupling::measure_slip(const dem::Particles& particles) {
-  const std::size_t n = particles.size();
-  const double density = scene_.liquid.density, viscosity = scene_.liquid.viscosity;
-  if (liquid_ != nullptr)
-    for (std::size_t a = 0; a < 3; ++a) {
-      liquid_->gather(a, liquid_->velocity(a), cell_velocity_[a]);
-      for (std::size_t i = 0; i < n; ++i) liquid_velocity_[a][i] = shares_->gather(i, cell_velocity_[a]);
-    }
-  for (std::size_t i = 0; i < n; ++i) {
-    voidage_[i] = liquid_ != nullptr ? shares_->gather(i, cell_voidage_) : 1.0;
-    const double slip = std::sqrt(std::pow(liquid_velocity_[0][i] - particles.velocity.x[i], 2) +
-                                  std::pow(liquid_velocity_[1][i] - particles.velocity.y[i], 2) +
-                                  std::pow(liquid_velocity_[2][i] - particles.velocity.z[i], 2));
-    reynolds_[i] = density * 2.0 * particles.radius[i] * voidage_[i] * slip / viscosity;
-  }
-  law_(voidage_, reynolds_, dimensionless_drag_);
-  for (std::size_t i = 0; i < n; ++i)
-    coefficient_[i] = volume_[i] * drag::exchange_per_solid_volume(dimensionless_drag_[i], voidage_[i],
-                                                                   2.0 * particles.radius[i], viscosity);
+void PhaseCoupling::restore(std::vector<double> liquid_volume) {
+  liquid_before_ = std::move(liquid_volume);
+  cells_valid_ = false;
 }
 
-/// K' and v' of Eq. 35, the contacts of the last interval among the other forces: in a bed at rest the drag is then
-/// exactly K u.
-void PhaseCoupling::predict_velocity(const dem::Engine& engine, double time_step) {
-  const auto& particles = engine.particles;
-  const std::array<const std::vector<double>*, 3> velocity{&particles.velocity.x, &particles.velocity.y,
-                                                           &particles.velocity.z};
-  for (std::size_t i = 0; i < particles.size(); ++i) {
-    const auto solid = engine.mean_solid_force(i);
-    const double buoyant_weight = -gravity * (particles.mass[i] - scene_.liquid.density * volume_[i]);
-    const double mass = particles.mass[i];
-    const double damping = 1.0 + coefficient_[i] * time_step / mass;
-    for (std::size_t a = 0; a < 3; ++a) {
-      const double other = solid[a] + volume_[i] * stress_[a][i] + (a == 2 ? buoyant_weight : 0.0);
-      predicted_velocity_[a][i] = (*velocity[a])[i] + time_step * other / mass;
-    }
-    coefficient_[i] /= damping;
+void PhaseCoupling::update_void_fraction(const dem::Engine& engine) {
+  const Stopwatch stopwatch(void_fraction_seconds_);
+  const dem::Particles& particles = engine.particles;
+  const fluid::ColumnGrid& grid = liquid_->grid();
+  shares_->update(particles, engine.threads());
+  shares_->scatter<1>({&volume_}, {&solid_}, engine.threads());
+  smoothing_->scatter(solid_, engine.threads());
+  liquid_now_.resize(grid.size());
+  cell_scratch_.resize(grid.size());
+  const auto layers = static_cast<std::size_t>(grid.layers());
+  for (std::size_t c = 0; c < grid.size(); ++c) {
+    const double cell_volume = grid.volume(static_cast<int>(c / layers));
+    liquid_now_[c] = cell_volume - solid_[c];
+    cell_scratch_[c] = liquid_now_[c] / cell_volume;
   }
+  smoothing_->gather(cell_scratch_, engine.threads());
+  for (std::size_t c = 0; c < grid.size(); ++c) cells_[c].value[CellValues::voidage] = cell_scratch_[c];
+  if (liquid_before_.empty()) liquid_before_ = liquid_now_;
+}
+
+/// Velocity and stress of the liquid, cell by cell.
+void PhaseCoupling::read_liquid() {
+  const auto put = [&](std::vector<double>& values, std::size_t field) {
+    smoothing_->gather(values);
+    for (std::size_t c = 0; c < values.size(); ++c) cells_[c].value[field] = values[c];
+  };
+  for (std::size_t a = 0; a < 3; ++a) {
+    liquid_->gather(a, liquid_->velocity(a), cell_scratch_);
+    put(cell_scratch_, CellValues::velocity_x + a);
+    liquid_->gather(a, liquid_->pressure_gradient(a), pressure_gradient_[a]);
+    smoothing_->gather(pressure_gradient_[a]);
+    liquid_->gather(a, liquid_->viscous_force(a), cell_scratch_);
+    put(cell_scratch_, CellValues::stress_x + a);
+    for (std::size_t c = 0; c < cells_.size(); ++c)
+      cells_[c].value[CellValues::stress_x + a] -= pressure_gradient_[a][c];
+  }
+  cells_valid_ = true;
+}
+
+/// Voidage, slip and Reynolds number (Eq. 25), the drag's coefficient, and K' and v' of Eq. 35. The contacts of the
+/// last interval are among the other forces: in a bed at rest the drag is then exactly K u.
+void PhaseCoupling::read_at_spheres(const dem::Engine& engine, double time_step) {
+  const dem::Particles& particles = engine.particles;
+  const double density = scene_.liquid.density, viscosity = scene_.liquid.viscosity;
+  const bool explicit_exchange = scene_.coupling.exchange == MomentumExchange::explicit_in_time;
+  const auto n = static_cast<std::int64_t>(particles.size());
+  constexpr std::int64_t block = 256;
+#pragma omp parallel for num_threads(engine.threads()) schedule(static)
+  for (std::int64_t first = 0; first < n; first += block) {
+    const auto begin = static_cast<std::size_t>(first), end = static_cast<std::size_t>(std::min(first + block, n));
+    std::array<std::array<double, 8>, block> values;
+    for (std::size_t i = begin; i < end; ++i) {
+      std::array<double, 8>& value = values[i - begin];
+      value = {};
+      if (liquid_ == nullptr) {
+        value[CellValues::voidage] = 1.0;
+        value[CellValues::velocity_z] = prescribed_velocity_;
+      } else {
+        const std::uint32_t* cell = shares_->cells(i);
+        const double* share = shares_->shares(i);
+        for (int m = 0; m < shares_->count(i); ++m)
+          for (std::size_t f = 0; f < 8; ++f) value[f] += share[m] * cells_[cell[m]].value[f];
+      }
+      std::array<double, 3> u{value[CellValues::velocity_x], value[CellValues::velocity_y],
+                              value[CellValues::velocity_z]};
+      if (point_values_) {
+        const auto at_centre = point_values_->at(particles.position.at(i), cells_);
+        value[CellValues::voidage] = at_centre[0];
+        for (std::size_t a = 0; a < 3; ++a) {
+          velocity_correction_[a][i] = at_centre[a + 1] - u[a];
+          u[a] = at_centre[a + 1];
+        }
+      }
+      const double x = u[0] - particles.velocity.x[i], y = u[1] - particles.velocity.y[i],
+                   z = u[2] - particles.velocity.z[i];
+      voidage_[i] = value[CellValues::voidage];
+      reynolds_[i] = density * 2.0 * particles.radius[i] * voidage_[i] * std::sqrt(x * x + y * y + z * z) / viscosity;
+    }
+    const std::size_t count = end - begin;
+    law_(std::span(voidage_).subspan(begin, count), std::span(reynolds_).subspan(begin, count),
+         std::span(coefficient_).subspan(begin, count));
+    for (std::size_t i = begin; i < end; ++i) {
+      const std::array<double, 8>& value = values[i - begin];
+      const double volume = volume_[i], inertia = particles.mass[i];
+      coefficient_[i] =
+          volume * drag::exchange_per_solid_volume(coefficient_[i], voidage_[i], 2.0 * particles.radius[i], viscosity);
+      const auto solid = engine.mean_solid_force(i);
+      const std::array<double, 3> v = particles.velocity.at(i);
+      const double buoyant_weight = -gravity * (particles.mass[i] - density * volume);
+      damped_coefficient_[i] = coefficient_[i] / (1.0 + coefficient_[i] * time_step / inertia);
+      for (std::size_t a = 0; a < 3; ++a) {
+        const double other = solid[a] + volume * value[CellValues::stress_x + a] + (a == 2 ? buoyant_weight : 0.0);
+        predicted_velocity_[a][i] = v[a] + time_step * other / inertia;
+        if (explicit_exchange)  // the force itself, as momentum that the liquid gains
+          drag_[a][i] = coefficient_[i] * (value[CellValues::velocity_x + a] + velocity_correction_[a][i] - v[a]);
+      }
+    }
+  }
+}
+
+void PhaseCoupling::give_to_liquid(const dem::Engine& engine) {
+  const bool explicit_exchange = scene_.coupling.exchange == MomentumExchange::explicit_in_time;
+  const auto n = static_cast<std::int64_t>(coefficient_.size());
+#pragma omp parallel for num_threads(engine.threads()) schedule(static)
+  for (std::int64_t k = 0; k < n; ++k) {
+    const auto i = static_cast<std::size_t>(k);
+    if (explicit_exchange) damped_coefficient_[i] = 0.0;
+    for (std::size_t a = 0; a < 3; ++a)
+      momentum_[a][i] = explicit_exchange
+                            ? -drag_[a][i]
+                            : damped_coefficient_[i] * (predicted_velocity_[a][i] - velocity_correction_[a][i]);
+  }
+  shares_->scatter<4>({&damped_coefficient_, &momentum_[0], &momentum_[1], &momentum_[2]},
+                      {&scattered_[0], &scattered_[1], &scattered_[2], &scattered_[3]}, engine.threads());
+  for (auto& field : scattered_) smoothing_->scatter(field, engine.threads());
+  for (std::size_t a = 0; a < 3; ++a) {
+    liquid_->scatter(a, scattered_[0], exchange_.coefficient[a]);
+    liquid_->scatter(a, scattered_[a + 1], exchange_.source[a]);
+  }
+}
+
+/// The drag at the liquid's new velocity, and all that the liquid does to the spheres, as a constant force.
+void PhaseCoupling::give_to_spheres(dem::Engine& engine) {
+  const dem::Particles& particles = engine.particles;
+  const std::array<std::vector<double>*, 3> external{&engine.external_force.x, &engine.external_force.y,
+                                                     &engine.external_force.z};
+  const bool explicit_exchange = scene_.coupling.exchange == MomentumExchange::explicit_in_time;
+  const auto n = static_cast<std::int64_t>(particles.size());
+#pragma omp parallel for num_threads(engine.threads()) schedule(static)
+  for (std::int64_t k = 0; k < n; ++k) {
+    const auto i = static_cast<std::size_t>(k);
+    std::array<double, 8> value{};
+    value[CellValues::velocity_z] = prescribed_velocity_;
+    if (liquid_ != nullptr) {
+      value[CellValues::velocity_z] = 0.0;
+      const std::uint32_t* cell = shares_->cells(i);
+      const double* share = shares_->shares(i);
+      for (int m = 0; m < shares_->count(i); ++m)
+        for (std::size_t f = 0; f < 8; ++f) value[f] += share[m] * cells_[cell[m]].value[f];
+    }
+    const double volume = volume_[i];
+    for (std::size_t a = 0; a < 3; ++a) {
+      liquid_velocity_[a][i] = value[CellValues::velocity_x + a] + velocity_correction_[a][i];
+      if (!explicit_exchange)
+        drag_[a][i] = damped_coefficient_[i] * (liquid_velocity_[a][i] - predicted_velocity_[a][i]);
+      (*external[a])[i] = drag_[a][i] + volume * value[CellValues::stress_x + a];
+    }
+    (*external[2])[i] -= gravity * (particles.mass[i] - scene_.liquid.density * volume);
+  }
+}
+
+/// β at the slip that the last pass has found; returns the largest relative change of K.
+double PhaseCoupling::update_coefficient(const dem::Engine& engine, double time_step) {
+  const dem::Particles& particles = engine.particles;
+  const double density = scene_.liquid.density, viscosity = scene_.liquid.viscosity;
+  for (std::size_t i = 0; i < particles.size(); ++i) {
+    double squared = 0.0;
+    // The new velocity of the sphere is that of Eq. 35: K (u − v_new) is the drag.
+    for (std::size_t a = 0; a < 3; ++a) squared += drag_[a][i] * drag_[a][i];
+    reynolds_[i] = density * 2.0 * particles.radius[i] * voidage_[i] * std::sqrt(squared) / coefficient_[i] / viscosity;
+  }
+  law_(voidage_, reynolds_, next_coefficient_);
+  double change = 0.0;
+  for (std::size_t i = 0; i < particles.size(); ++i) {
+    const double coefficient = volume_[i] * drag::exchange_per_solid_volume(next_coefficient_[i], voidage_[i],
+                                                                            2.0 * particles.radius[i], viscosity);
+    change = std::max(change, std::abs(coefficient - coefficient_[i]) / coefficient_[i]);
+    coefficient_[i] = coefficient;
+    damped_coefficient_[i] = coefficient / (1.0 + coefficient * time_step / particles.mass[i]);
+  }
+  return change;
 }
 
 void PhaseCoupling::advance(dem::Engine& engine, double time_step) {
-  dem::Particles& particles = engine.particles;
-  const std::size_t n = particles.size();
+  const std::size_t n = engine.particles.size();
   resize(n);
-  for (std::size_t i = 0; i < n; ++i) volume_[i] = particles.volume(i);
-
-  if (liquid_ != nullptr) {
-    const Stopwatch stopwatch(void_fraction_seconds_);
-    const fluid::ColumnGrid& grid = liquid_->grid();
-    shares_->update(particles, engine.threads());
-    shares_->scatter(volume_, solid_);
-    liquid_now_.resize(grid.size());
-    cell_voidage_.resize(grid.size());
-    const auto layers = static_cast<std::size_t>(grid.layers());
-    for (std::size_t c = 0; c < grid.size(); ++c) {
-      const double cell_volume = grid.volume(static_cast<int>(c / layers));
-      liquid_now_[c] = cell_volume - solid_[c];
-      cell_voidage_[c] = liquid_now_[c] / cell_volume;
-    }
-    if (liquid_before_.empty()) liquid_before_ = liquid_now_;
+  for (std::size_t i = 0; i < n; ++i) volume_[i] = engine.particles.volume(i);
+  passes_ = 1;
+  if (liquid_ == nullptr) {
+    read_at_spheres(engine, time_step);
+    give_to_spheres(engine);
+    return;
   }
-  const auto gather_stress = [&] {
-    for (std::size_t a = 0; a < 3; ++a) {
-      if (liquid_ == nullptr) {
-        std::fill(stress_[a].begin(), stress_[a].end(), 0.0);
-        continue;
-      }
-      liquid_->gather(a, liquid_->pressure_gradient(a), cell_stress_[a]);
-      liquid_->gather(a, liquid_->viscous_force(a), cell_values_);
-      for (std::size_t c = 0; c < cell_values_.size(); ++c) cell_values_[c] -= cell_stress_[a][c];
-      for (std::size_t i = 0; i < n; ++i) stress_[a][i] = shares_->gather(i, cell_values_);
-    }
-  };
-  gather_stress();
-  measure_slip(particles);
-  predict_velocity(engine, time_step);
-
-  if (liquid_ != nullptr) {
-    shares_->scatter(coefficient_, cell_values_);
-    for (std::size_t a = 0; a < 3; ++a) liquid_->scatter(a, cell_values_, exchange_.coefficient[a]);
-    for (std::size_t a = 0; a < 3; ++a) {
-      for (std::size_t i = 0; i < n; ++i) momentum_[i] = coefficient_[i] * predicted_velocity_[a][i];
-      shares_->scatter(momentum_, cell_values_);
-      liquid_->scatter(a, cell_values_, exchange_.source[a]);
-    }
+  cells_.resize(liquid_->grid().size());
+  update_void_fraction(engine);
+  if (!cells_valid_) read_liquid();
+  read_at_spheres(engine, time_step);
+  const bool implicit = scene_.coupling.exchange == MomentumExchange::implicit;
+  fluid::LiquidSolver::State start;
+  if (implicit) start = liquid_->state();
+  for (;; ++passes_) {
+    give_to_liquid(engine);
     liquid_->advance(time_step, liquid_before_, liquid_now_, exchange_);
-    std::swap(liquid_before_, liquid_now_);
-    gather_stress();
-    for (std::size_t a = 0; a < 3; ++a) {
-      liquid_->gather(a, liquid_->velocity(a), cell_velocity_[a]);
-      for (std::size_t i = 0; i < n; ++i) liquid_velocity_[a][i] = shares_->gather(i, cell_velocity_[a]);
-    }
+    read_liquid();
+    give_to_spheres(engine);
+    if (!implicit) break;
+    constexpr double tolerance = 1e-6;
+    constexpr int most_passes = 50;
+    const double change = update_coefficient(engine, time_step);
+    if (change < tolerance) break;
+    if (passes_ == most_passes)
+      throw fluid::FluidError(
+          fmt::format("implicit exchange: after {} passes the drag of a sphere still changes by {:.3g} of itself",
+                      passes_, change));
+    liquid_->restore(start);
   }
+  std::swap(liquid_before_, liquid_now_);
+}
 
-  const std::array<std::vector<double>*, 3> external{&engine.external_force.x, &engine.external_force.y,
-                                                     &engine.external_force.z};
-  for (std::size_t a = 0; a < 3; ++a)
-    for (std::size_t i = 0; i < n; ++i) {
-      drag_[a][i] = coefficient_[i] * (liquid_velocity_[a][i] - predicted_velocity_[a][i]);
-      double force = drag_[a][i] + volume_[i] * stress_[a][i];
-      double gradient = liquid_ != nullptr ? shares_->gather(i, cell_stress_[a]) : 0.0;
-      if (a == 2) {
-        gradient -= scene_.liquid.density * gravity;
-        force -= gravity * (particles.mass[i] - scene_.liquid.density * volume_[i]);
-      }
-      pressure_force_[a][i] = -volume_[i] * gradient;
-      (*external[a])[i] = force;
-    }
+double PhaseCoupling::pressure_force(std::size_t i, std::size_t a) const {
+  const double gradient = liquid_ != nullptr ? shares_->gather(i, pressure_gradient_[a]) : 0.0;
+  return -volume_[i] * (gradient - (a == 2 ? scene_.liquid.density * gravity : 0.0));
 }
 
 double PhaseCoupling::drag_taken_from_liquid(std::size_t a) const {
@@ -163,6 +278,11 @@ std::vector<double> PhaseCoupling::void_fraction() const {
   return voidage;
 }
 
-std::array<std::vector<double>, 3> PhaseCoupling::cell_velocity() const { return cell_velocity_; }
+std::array<std::vector<double>, 3> PhaseCoupling::cell_velocity() const {
+  std::array<std::vector<double>, 3> velocity;
+  for (std::size_t a = 0; a < 3; ++a)
+    for (const CellValues& cell : cells_) velocity[a].push_back(cell.value[CellValues::velocity_x + a]);
+  return velocity;
+}
 
 }  // namespace slfb::coupling

@@ -6,6 +6,8 @@
 #include <span>
 #include <vector>
 
+#include "solver/coupling/diffusion_smoothing.hpp"
+#include "solver/coupling/point_values.hpp"
 #include "solver/coupling/void_fraction.hpp"
 #include "solver/dem/engine.hpp"
 #include "solver/fluid/liquid_solver.hpp"
@@ -14,17 +16,20 @@ namespace slfb::coupling {
 
 /// Two-way momentum exchange between spheres and liquid over one liquid step (Peng 2014, Eqs. 20-22, 28, 29, 35).
 ///
-/// The drag on a sphere is K (u − v) with K = V β/(1 − α), linearised at the old slip and implicit in both velocities:
-/// with v advanced by Eq. 35, F = K' (u − v'), K' = K / (1 + K Δt/m) and v' the velocity that all other forces alone
-/// would give. The liquid is solved with K' and v' on its momentum nodes, and the spheres then receive exactly the
-/// same F as a constant force over their steps. The spheres' shares φ that make the void fraction also gather the
-/// liquid's velocity, pressure gradient and viscous force, so that every impulse on one phase is taken from the other.
+/// The drag on a sphere is K (u − v) with K = V β/(1 − α), linearised at the old slip. In the semi-implicit scheme it
+/// is implicit in both velocities: with v advanced by Eq. 35, F = K' (u − v'), K' = K/(1 + K Δt/m) and v' the velocity
+/// that all other forces alone would give. The liquid is solved with K' and v' on its momentum nodes, and the spheres
+/// then receive exactly the same F as a constant force over their steps. The implicit scheme repeats this with β at the
+/// new slip until it no longer changes; the explicit one takes F = K (u − v) from before the step.
 ///
-/// Local voidage and slip are those of the shares, Σ φ α and Σ φ u.
+/// The spheres' shares φ that make the void fraction also gather the liquid's velocity, pressure gradient and viscous
+/// force, so that every impulse on one phase is taken from the other. Where voidage and velocity are asked for at the
+/// sphere's centre instead, the difference enters as a correction of the slip and leaves that pairing as it is.
 class PhaseCoupling {
  public:
-  /// `liquid` may be null: quiescent liquid, single-sphere drag (voidage 1), nothing given back.
-  PhaseCoupling(const Scene& scene, fluid::LiquidSolver* liquid);
+  /// `liquid` may be null: liquid of the uniform velocity `prescribed_velocity` upwards [m/s], single-sphere drag
+  /// (voidage 1), nothing given back.
+  PhaseCoupling(const Scene& scene, fluid::LiquidSolver* liquid, double prescribed_velocity = 0.0);
 
   /// Solves the liquid over `time_step` from the present spheres and sets their external_force.
   void advance(dem::Engine& engine, double time_step);
@@ -38,40 +43,56 @@ class PhaseCoupling {
   [[nodiscard]] double liquid_velocity(std::size_t i, std::size_t a) const { return liquid_velocity_[a][i]; }
   [[nodiscard]] double drag_force(std::size_t i, std::size_t a) const { return drag_[a][i]; }
   /// −V ∇p with the static pressure [N].
-  [[nodiscard]] double pressure_force(std::size_t i, std::size_t a) const { return pressure_force_[a][i]; }
+  [[nodiscard]] double pressure_force(std::size_t i, std::size_t a) const;
 
   /// Drag that left the liquid over the last step, from its own momentum nodes [N].
   [[nodiscard]] double drag_taken_from_liquid(std::size_t a) const;
 
   /// Void fraction per cell after the last advance [-]; empty without a liquid.
   [[nodiscard]] std::vector<double> void_fraction() const;
+  /// Liquid velocity per cell after the last advance [m/s].
   [[nodiscard]] std::array<std::vector<double>, 3> cell_velocity() const;
 
   /// Wall time spent so far on void fractions [s].
   [[nodiscard]] double void_fraction_seconds() const { return void_fraction_seconds_; }
+  /// Passes over the liquid of the last step: 1 but for the implicit scheme.
+  [[nodiscard]] int passes() const { return passes_; }
 
   /// Liquid volume per cell at the last step, for checkpoints [m³].
   [[nodiscard]] const std::vector<double>& liquid_volume() const { return liquid_before_; }
-  void restore(std::vector<double> liquid_volume) { liquid_before_ = std::move(liquid_volume); }
+  void restore(std::vector<double> liquid_volume);
 
  private:
   using LawKernel = std::function<void(std::span<const double> voidage, std::span<const double> reynolds,
                                        std::span<double> dimensionless_drag)>;
 
   void resize(std::size_t n);
-  void measure_slip(const dem::Particles& particles);
-  void predict_velocity(const dem::Engine& engine, double time_step);
+  void update_void_fraction(const dem::Engine& engine);
+  void read_liquid();
+  void read_at_spheres(const dem::Engine& engine, double time_step);
+  void give_to_liquid(const dem::Engine& engine);
+  void give_to_spheres(dem::Engine& engine);
+  [[nodiscard]] double update_coefficient(const dem::Engine& engine, double time_step);
 
   const Scene& scene_;
   fluid::LiquidSolver* liquid_;
+  double prescribed_velocity_;
   std::optional<VolumeShares> shares_;  ///< none without a liquid
+  std::optional<DiffusionSmoothing> smoothing_;
+  std::optional<PointValues> point_values_;  ///< only where values are asked for at the spheres' centres
   LawKernel law_;
-  std::vector<double> liquid_before_, liquid_now_, solid_, cell_voidage_, cell_values_;
+  std::vector<double> liquid_before_, liquid_now_, solid_, cell_scratch_;
+  std::vector<CellValues> cells_;  ///< what the spheres read
+  bool cells_valid_ = false;
+  std::array<std::vector<double>, 3> pressure_gradient_;  ///< per cell [Pa/m]
+  std::array<std::vector<double>, 4> scattered_;          ///< per cell: K', then K' v'
   fluid::Exchange exchange_;
-  std::vector<double> volume_, voidage_, reynolds_, dimensionless_drag_, coefficient_, momentum_;
-  std::array<std::vector<double>, 3> liquid_velocity_, drag_, pressure_force_, other_force_, predicted_velocity_,
-      stress_, cell_velocity_, cell_stress_;
+  std::vector<double> volume_, voidage_, reynolds_, coefficient_, damped_coefficient_, next_coefficient_;
+  /// Of the sphere's centre over the mean by shares, of the liquid's velocity [m/s].
+  std::array<std::vector<double>, 3> velocity_correction_;
+  std::array<std::vector<double>, 3> liquid_velocity_, drag_, predicted_velocity_, momentum_;
   double void_fraction_seconds_ = 0.0;
+  int passes_ = 1;
 };
 
 }  // namespace slfb::coupling

@@ -28,6 +28,8 @@ constexpr double usable_skin = 0.49;
 /// Steps after which the list is rebuilt even if nothing has moved far: the skin of a bed at rest can then shrink.
 constexpr std::int64_t longest_list_life = 1000;
 
+constexpr std::uint32_t bottom_wall = 0;
+
 Vec3 load(const VectorField& field, std::size_t i) { return {field.x[i], field.y[i], field.z[i]}; }
 
 void store(VectorField& field, std::size_t i, Vec3 value) {
@@ -196,7 +198,7 @@ void Engine::remove_particle(std::size_t i) {
     if (c.first > i) --c.first;
   number_order();
   particles.remove(i);
-  for (auto* field : {&external_force, &mean_solid_force_, &contact_force_, &wall_force_}) field->erase(i);
+  for (auto* field : {&external_force, &mean_solid_force_}) field->erase(i);
   const auto at = [i](auto& values, std::size_t per_sphere) {
     return values.begin() + static_cast<std::ptrdiff_t>(i * per_sphere);
   };
@@ -211,7 +213,7 @@ void Engine::remove_particle(std::size_t i) {
 
 void Engine::resize_particle_arrays() {
   const std::size_t n = particles.size();
-  for (auto* field : {&external_force, &mean_solid_force_, &contact_force_, &wall_force_}) field->resize(n);
+  for (auto* field : {&external_force, &mean_solid_force_}) field->resize(n);
   contacts_.resize(n, 0);
   contact_events_.resize(n, 0);
   integrator_.resize(n * integrator_rows_);
@@ -231,8 +233,8 @@ bool Engine::moved_by_caller(std::size_t s) const {
 void Engine::pack() {
   bool moved = false;
 #pragma omp parallel for num_threads(threads_) schedule(static) reduction(|| : moved)
-  for (std::size_t s = 0; s < particles.size(); ++s) {
-    const std::size_t i = order_[s];
+  for (std::size_t i = 0; i < particles.size(); ++i) {
+    const std::size_t s = slot_of_[i];
     const Vec3 x = load(particles.position, i), v = load(particles.velocity, i),
                w = load(particles.angular_velocity, i);
     const double inverse_mass = 1.0 / particles.mass[i];
@@ -241,6 +243,7 @@ void Engine::pack() {
     velocity_[s] = {v.x, v.y, v.z, inverse_mass};
     spin_[s] = {w.x, w.y, w.z, inverse_mass / (0.4 * particles.radius[i] * particles.radius[i])};
     constant_[s].set(inverse_mass * load(external_force, i));
+    wall_lift_[s] = {};
   }
   if (moved) travel_ = std::numeric_limits<double>::infinity();
 }
@@ -257,18 +260,17 @@ void Engine::for_contacts(Visit visit) const {
 }
 
 void Engine::unpack(std::int64_t steps) {
+  last_advance_ = steps;
   const double inverse_time = 1.0 / (static_cast<double>(steps) * time_step_);
 #pragma omp parallel for num_threads(threads_) schedule(static)
-  for (std::size_t s = 0; s < particles.size(); ++s) {
-    const std::size_t i = order_[s];
+  for (std::size_t i = 0; i < particles.size(); ++i) {
+    const std::size_t s = slot_of_[i];
     const Vec3 v = velocity_[s].vector();
     const Vec3 gained = (particles.mass[i] * inverse_time) * (v - load(particles.velocity, i));
     store(mean_solid_force_, i, gained - load(external_force, i));
     store(particles.position, i, place_[s].vector());
     store(particles.velocity, i, v);
     store(particles.angular_velocity, i, spin_[s].vector());
-    store(contact_force_, i, contact_force_row_[s].vector());
-    store(wall_force_, i, wall_force_row_[s].vector());
     contact_events_[i] = events_[s];
     contacts_[i] = touched_[s];
   }
@@ -303,8 +305,9 @@ void Engine::list_anew(const Records& records, std::optional<double> skin) {
   const std::size_t n = particles.size();
   order_.resize(n);
   std::iota(order_.begin(), order_.end(), 0U);
+  slot_of_ = order_;
   for (auto* rows : {&place_, &velocity_, &spin_, &constant_}) rows->resize(n);
-  for (auto* rows : {&force_, &torque_, &wall_force_row_, &contact_force_row_}) rows->assign(n, {});
+  for (auto* rows : {&force_, &torque_, &wall_force_row_, &contact_force_row_, &wall_lift_}) rows->assign(n, {});
   events_ = contact_events_;
   touched_.assign(n, 0);
   pack();
@@ -332,7 +335,7 @@ void Engine::list_pairs(double skin) {
       store(particles.position, order_[s], x.vector());
     }
   const std::vector<std::uint32_t>& sorted = search_.sort(place_, skin, period_);
-  for (auto* rows : {&place_, &velocity_, &spin_, &constant_}) permute(*rows, sorted, 1, row_scratch_);
+  for (auto* rows : {&place_, &velocity_, &spin_, &constant_, &wall_lift_}) permute(*rows, sorted, 1, row_scratch_);
   permute(integrator_, sorted, integrator_rows_, row_scratch_);
   permute(order_, sorted, 1, number_scratch_);
   permute(events_, sorted, 1, count_scratch_);
@@ -569,6 +572,7 @@ void Engine::compute_walls(Share& share, StepMode mode) {
         const std::size_t i = list.first[p];
         store(force_[i], load(force_[i]) + force);
         store(torque_[i], load(torque_[i]) + torque);
+        (list.second[p] == bottom_wall ? wall_lift_[i].x : wall_lift_[i].y) += force[2];
         if (mode == StepMode::final) store(wall_force_row_[i], load(wall_force_row_[i]) + force);
         if (i == tracked_slot_) share.tracked_force = share.tracked_force - Vec3{force[0], force[1], force[2]};
       });
@@ -771,6 +775,16 @@ void Engine::fail(const char* what, std::size_t slot) const {
 }
 
 // --- what others ask for ---------------------------------------------------------------------------------------------
+
+Engine::VerticalWallForces Engine::mean_vertical_wall_forces() const {
+  VerticalWallForces sum;
+  for (const std::uint32_t s : slot_of_) {
+    sum.bottom += wall_lift_[s].x;
+    sum.others += wall_lift_[s].y;
+  }
+  const auto steps = static_cast<double>(std::max<std::int64_t>(1, last_advance_));
+  return {sum.bottom / steps, sum.others / steps};
+}
 
 bool Engine::touches_wall(std::size_t i, std::size_t wall) const {
   return walls_[wall].gap(load(particles.position, i)).distance < particles.radius[i];

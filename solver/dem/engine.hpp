@@ -64,9 +64,15 @@ class Engine {
   [[nodiscard]] std::array<double, 3> mean_contact_force_of_tracked() const { return mean_tracked_force_; }
 
   /// Force of the other spheres on i at the last step [N].
-  [[nodiscard]] std::array<double, 3> contact_force(std::size_t i) const { return contact_force_.at(i); }
+  [[nodiscard]] std::array<double, 3> contact_force(std::size_t i) const { return components(contact_force_row_, i); }
   /// Force of the walls on i at the last step [N].
-  [[nodiscard]] std::array<double, 3> wall_force(std::size_t i) const { return wall_force_.at(i); }
+  [[nodiscard]] std::array<double, 3> wall_force(std::size_t i) const { return components(wall_force_row_, i); }
+  /// Upward forces of the bottom (wall number 0) and of all other walls on the spheres, mean over the last advance()
+  /// [N].
+  struct VerticalWallForces {
+    double bottom = 0.0, others = 0.0;
+  };
+  [[nodiscard]] VerticalWallForces mean_vertical_wall_forces() const;
   /// Spheres in contact with i at the last step [-].
   [[nodiscard]] int contacts(std::size_t i) const { return contacts_[i]; }
   /// New contacts of i with other spheres since it was added [-].
@@ -168,6 +174,11 @@ class Engine {
   [[noreturn]] void fail(const char* what, std::size_t slot) const;
   [[nodiscard]] std::uint32_t now() const { return static_cast<std::uint32_t>(steps_ + 1); }
 
+  [[nodiscard]] std::array<double, 3> components(const std::vector<Row>& rows, std::size_t i) const {
+    if (i >= slot_of_.size()) return {};  // nothing has moved yet
+    const Row& row = rows[slot_of_[i]];
+    return {row.x, row.y, row.z};
+  }
   template <class Visit>
   void for_contacts(Visit visit) const;
   void finish_collision(Share& share, PairList& list, std::uint32_t p) const;
@@ -195,6 +206,7 @@ class Engine {
   std::vector<Row> force_, torque_;             ///< of contacts with spheres and walls, zero between steps
   std::vector<Row> wall_force_row_;             ///< of walls at the last step
   std::vector<Row> contact_force_row_;          ///< of other spheres at the last step
+  std::vector<Row> wall_lift_;                  ///< Σ over the steps of advance() of F_z: x of the bottom, y of others
   std::vector<Row> constant_;                   ///< acceleration by the external force
   std::vector<Row> origin_;                     ///< centres when the list was built
   std::vector<Row> integrator_;
@@ -209,10 +221,10 @@ class Engine {
   bool list_valid_ = false;
   double skin_ = 0.0;
   double travel_ = 0.0, margin_ = 0.0;  ///< bound of the largest displacement since it was last measured, and its limit
-  std::int64_t list_step_ = 0, list_builds_ = 0, steps_ = 0;
+  std::int64_t list_step_ = 0, list_builds_ = 0, steps_ = 0, last_advance_ = 0;
 
   // By number of the sphere.
-  VectorField mean_solid_force_, contact_force_, wall_force_;
+  VectorField mean_solid_force_;
   std::vector<int> contacts_;
   std::vector<std::int64_t> contact_events_;
   std::optional<std::size_t> tracked_;

@@ -12,6 +12,10 @@ namespace {
 
 constexpr std::size_t vertical = 2;
 
+/// Of the momentum equations' sweeps: change over the largest velocity that ends them [-], and how many there may be.
+constexpr double momentum_tolerance = 1e-10;
+constexpr int most_sweeps = 500;
+
 std::size_t index(int section, int level, int levels) {
   return static_cast<std::size_t>(section) * static_cast<std::size_t>(levels) + static_cast<std::size_t>(level);
 }
@@ -41,7 +45,7 @@ double carried_excess(double flow, double below_lower, double lower, double uppe
 
 }  // namespace
 
-LiquidSolver::LiquidSolver(const Scene& scene, bool closed)
+LiquidSolver::LiquidSolver(const Scene& scene, bool closed, int threads)
     : grid_(scene),
       density_(scene.liquid.density),
       viscosity_(scene.liquid.viscosity),
@@ -53,6 +57,9 @@ LiquidSolver::LiquidSolver(const Scene& scene, bool closed)
       time_scheme_(scene.fluid.time_scheme),
       pressure_velocity_(scene.fluid.pressure_velocity),
       closed_(closed),
+      threads_(threads),
+      settled_flow_(!closed && pressure_velocity_ == PressureVelocity::projection &&
+                    time_scheme_ == TimeScheme::euler && grid_.cells() > 1),
       pressure_(grid_.size(), 0.0),
       volume_change_(grid_.size(), 0.0),
       dilatation_(grid_.size(), 0.0),
@@ -61,8 +68,6 @@ LiquidSolver::LiquidSolver(const Scene& scene, bool closed)
       correction_(grid_.size(), 0.0),
       residual_(grid_.size(), 0.0) {
   for (std::size_t a = 0; a < 3; ++a) build_component(a);
-  change_.resize(as_index(grid_.layers()) + 1);
-  peak_.resize(change_.size());
 }
 
 void LiquidSolver::build_component(std::size_t a) {
@@ -106,10 +111,12 @@ void LiquidSolver::build_component(std::size_t a) {
   const std::size_t n = as_index(c.sections) * as_index(c.levels);
   for (auto* field :
        {&c.volume, &c.fraction, &c.liquid_before, &c.liquid_now, &c.velocity, &c.previous, &c.pressure_gradient,
-        &c.viscous, &c.flow, &c.inertia, &c.diagonal, &c.right_hand_side, &c.next, &c.mobility})
+        &c.viscous, &c.flow, &c.inertia, &c.old_inertia, &c.diagonal, &c.right_hand_side, &c.next, &c.mobility})
     field->assign(n, 0.0);
   for (auto& flux : c.flux) flux.assign(n, 0.0);
   for (auto& coefficient : c.coefficient) coefficient.assign(n, 0.0);
+  c.change.resize(as_index(c.levels));
+  c.peak.resize(as_index(c.levels));
   for (auto& end : c.end) end.assign(as_index(c.sections), 0.0);
   std::vector<double> volumes(grid_.size());
   for (int cell = 0; cell < grid_.cells(); ++cell)
@@ -299,6 +306,7 @@ void LiquidSolver::start_step(double time_step, const std::vector<double>& befor
       c.earlier = c.previous;
     }
   }
+  for (Component& c : component_) c.old_inertia = c.inertia;
   if (time_scheme_ == TimeScheme::second_order) {
     earlier_volume_ = before;
     last_volume_ = now;
@@ -306,6 +314,44 @@ void LiquidSolver::start_step(double time_step, const std::vector<double>& befor
   Component& c = component_[vertical];
   for (int s = 0; s < c.sections; ++s)
     c.velocity[index(s, 0, c.levels)] = c.end[0][as_index(s)] / c.fraction[index(s, 1, c.levels)];
+}
+
+/// Volume flow of liquid α u A through every cell face at the start of the step, for which continuity holds.
+void LiquidSolver::start_flows() {
+  for (std::size_t a = 0; a < 3; ++a) {
+    Component& c = component_[a];
+    for (int s = 0; s < c.sections; ++s) {
+      const double area = face_area(a, s);
+      const std::size_t start = index(s, 0, c.levels);
+      for (std::size_t n = start; n < start + as_index(c.levels); ++n)
+        c.flow[n] = c.volume[n] > 0.0 ? c.liquid_before[n] / c.volume[n] * area * c.velocity[n] : 0.0;
+      if (a == vertical) c.flow[start] = c.end[0][as_index(s)] * area;
+    }
+  }
+}
+
+/// Makes the vertical momentum's old content that of the liquid volumes which the convecting flow has filled from:
+/// V^(n−1) = V^n + Δt Σ flow out. With it Σ q (u_face − u_P) is conservative although q is that of the step before.
+void LiquidSolver::add_net_outflow() {
+  Component& c = component_[vertical];
+  const int layers = grid_.layers();
+  for (int s = 0; s < c.sections; ++s) {
+    const std::size_t start = index(s, 0, c.levels);
+    double* inertia = &c.old_inertia[start];
+    const double *up = &c.flux[2][start], *flow = &c.flow[start];
+    for (int k = 1; k < layers; ++k) inertia[k] += density_ * (up[k + 1] - up[k]);
+    inertia[layers] += density_ * (flow[layers] - up[layers]);
+    for (std::size_t axis : {std::size_t{0}, std::size_t{1}}) {
+      const int t = c.neighbour[as_index(s)][2 * axis + 1];
+      if (t < 0) continue;
+      double* beyond = &c.old_inertia[index(t, 0, c.levels)];
+      const double* flux = &c.flux[axis][start];
+      for (int k = 1; k <= layers; ++k) {
+        inertia[k] += density_ * flux[k];
+        beyond[k] -= density_ * flux[k];
+      }
+    }
+  }
 }
 
 /// Volume flow of liquid α u A through every cell face, on the nodes.
@@ -433,8 +479,8 @@ void LiquidSolver::assemble(std::size_t a, const Exchange& exchange) {
   const double density = density_;
   const double* velocity = c.velocity.data();
   for (std::size_t n = 0; n < c.velocity.size(); ++n) {
-    c.diagonal[n] = c.inertia[n] + exchange.coefficient[a][n];
-    c.right_hand_side[n] = c.inertia[n] * c.previous[n] + exchange.source[a][n] +
+    c.diagonal[n] = c.old_inertia[n] + exchange.coefficient[a][n];
+    c.right_hand_side[n] = c.old_inertia[n] * c.previous[n] + exchange.source[a][n] +
                            c.liquid_now[n] * (c.viscous[n] - c.pressure_gradient[n]);
   }
   for (int s = 0; s < c.sections; ++s) {
@@ -517,11 +563,9 @@ void LiquidSolver::assemble(std::size_t a, const Exchange& exchange) {
 void LiquidSolver::solve_momentum(std::size_t a) {
   Component& c = component_[a];
   const int levels = c.levels;
-  constexpr int most_sweeps = 500;
-  double change = 0.0, largest = 0.0;
   for (int sweep = 0; sweep < most_sweeps; ++sweep) {
-    std::fill(change_.begin(), change_.end(), 0.0);
-    std::fill(peak_.begin(), peak_.end(), 0.0);
+    std::fill(c.change.begin(), c.change.end(), 0.0);
+    std::fill(c.peak.begin(), c.peak.end(), 0.0);
     for (int s = 0; s < c.sections; ++s) {
       const std::size_t start = index(s, 0, levels);
       const auto next_to = [&](std::size_t direction) {
@@ -534,7 +578,7 @@ void LiquidSolver::solve_momentum(std::size_t a) {
                    *to_front = &c.coefficient[2][start], *to_back = &c.coefficient[3][start],
                    *to_below = &c.coefficient[4][start], *to_above = &c.coefficient[5][start];
       const double *rhs = &c.right_hand_side[start], *diagonal = &c.diagonal[start];
-      double *next = &c.next[start], *moved = change_.data(), *peak = peak_.data();
+      double *next = &c.next[start], *moved = c.change.data(), *peak = c.peak.data();
       const auto lateral = [&](int k) {
         return rhs[k] + to_left[k] * left[k] + to_right[k] * right[k] + to_front[k] * front[k] + to_back[k] * back[k];
       };
@@ -558,17 +602,22 @@ void LiquidSolver::solve_momentum(std::size_t a) {
       std::copy(&c.next[start + as_index(c.first)], &c.next[start + as_index(c.last)] + 1,
                 &c.velocity[start + as_index(c.first)]);
     }
-    change = *std::max_element(change_.begin(), change_.end());
-    largest = *std::max_element(peak_.begin(), peak_.end());
-    if (change <= 1e-10 * (largest + 1e-6)) break;
+    c.last_change = *std::max_element(c.change.begin(), c.change.end());
+    c.largest = *std::max_element(c.peak.begin(), c.peak.end());
+    if (c.last_change <= momentum_tolerance * (c.largest + 1e-6)) break;
   }
-  for (const double value : c.velocity)
-    if (!std::isfinite(value))
+}
+
+void LiquidSolver::check_momentum() const {
+  for (std::size_t a = 0; a < 3; ++a) {
+    const Component& c = component_[a];
+    if (!std::all_of(c.velocity.begin(), c.velocity.end(), [](double u) { return std::isfinite(u); }))
       throw FluidError(fmt::format("liquid momentum ({}): a velocity is not finite", "xyz"[a]));
-  if (change > 1e-10 * (largest + 1e-6))
-    throw FluidError(
-        fmt::format("liquid momentum ({}): {} sweeps leave a change of {:.3g} m/s; a smaller fluid.time_step may help",
-                    "xyz"[a], most_sweeps, change));
+    if (c.last_change > momentum_tolerance * (c.largest + 1e-6))
+      throw FluidError(fmt::format(
+          "liquid momentum ({}): {} sweeps leave a change of {:.3g} m/s; a smaller fluid.time_step may help", "xyz"[a],
+          most_sweeps, c.last_change));
+  }
 }
 
 /// Adds μ ∇²u of the present velocity to the part that start_viscous has left: ∇·τ on the nodes.
@@ -710,6 +759,42 @@ void LiquidSolver::balance_column(const Exchange& exchange) {
     pressure_[n - 1] = (k < layers ? pressure_[n] : 0.0) - c.pressure_gradient[n] * spacing(vertical, k);
   }
   finish_viscous(vertical);
+  record_vertical_forces(outflow());
+}
+
+/// Momentum that leaves through the outlet with the convecting flow [N].
+double LiquidSolver::outflow() const {
+  const Component& c = component_[vertical];
+  double sum = 0.0;
+  for (int s = 0; s < c.sections; ++s) {
+    const std::size_t top = index(s, grid_.layers(), c.levels);
+    sum += density_ * c.flow[top] * c.velocity[top];
+  }
+  return sum;
+}
+
+void LiquidSolver::record_vertical_forces(double leaving) {
+  const Component& c = component_[vertical];
+  vertical_forces_ = {};
+  vertical_forces_.outflow = leaving;
+  for (std::size_t n = 0; n < c.velocity.size(); ++n) {
+    vertical_forces_.pressure -= c.volume[n] * c.pressure_gradient[n];
+    vertical_forces_.stress += c.volume[n] * c.viscous[n];
+  }
+  for (int s = 0; s < c.sections; ++s)
+    vertical_forces_.inflow += density_ * c.end[0][as_index(s)] * grid_.area(s) * c.velocity[index(s, 0, c.levels)];
+}
+
+double LiquidSolver::vertical_momentum() const {
+  const Component& c = component_[vertical];
+  const std::vector<double>& liquid = settled_flow_ ? c.liquid_before : c.liquid_now;
+  double sum = 0.0;
+  for (int s = 0; s < c.sections; ++s)
+    for (int k = c.first; k <= c.last; ++k) {
+      const std::size_t n = index(s, k, c.levels);
+      sum += density_ * liquid[n] * c.velocity[n];
+    }
+  return sum;
 }
 
 void LiquidSolver::advance(double time_step, const std::vector<double>& before, const std::vector<double>& now,
@@ -731,20 +816,27 @@ void LiquidSolver::advance(double time_step, const std::vector<double>& before, 
   constexpr int most_iterations = 100;
   const bool simple = pressure_velocity_ == PressureVelocity::simple;
   for (int iteration = 1;; ++iteration) {
+    double leaving = 0.0;
     {
       const Stopwatch stopwatch(cost_.momentum_seconds);
-      update_flows();
+      settled_flow_ ? start_flows() : update_flows();
       start_viscous();
+#pragma omp parallel for num_threads(std::min(threads_, 3)) schedule(dynamic, 1)
       for (std::size_t a = 0; a < 3; ++a) {
         link_fluxes(a);
+        if (a == vertical && settled_flow_) add_net_outflow();
         assemble(a, exchange);
         solve_momentum(a);
         finish_viscous(a);
       }
+      check_momentum();
+      leaving = outflow();
     }
     const double imbalance = correct_pressure(exchange);
-    if (!simple) return;
-    if (iteration > 1 && imbalance < simple_tolerance_) return;
+    if (!simple || (iteration > 1 && imbalance < simple_tolerance_)) {
+      record_vertical_forces(leaving);
+      return;
+    }
     if (iteration == most_iterations)
       throw FluidError(fmt::format("SIMPLE: {} iterations leave a scaled residual of {:.3g} (tolerance {:.3g})",
                                    most_iterations, imbalance, simple_tolerance_));

@@ -42,7 +42,7 @@ class LiquidSolver {
  public:
   /// A closed liquid has walls at z = 0 and z = height instead of the inlet and the outlet: no scene, but cavities and
   /// vortices with exact solutions.
-  explicit LiquidSolver(const Scene& scene, bool closed = false);
+  explicit LiquidSolver(const Scene& scene, bool closed = false, int threads = 1);
 
   [[nodiscard]] const ColumnGrid& grid() const { return grid_; }
 
@@ -85,6 +85,17 @@ class LiquidSolver {
   /// Largest violation of continuity over all cells at the last step, over the inlet's volume flow [-].
   [[nodiscard]] double continuity_error() const { return continuity_error_; }
 
+  /// What acted on the liquid and the spheres in it along z over the last step, by the liquid's own equations [N]: the
+  /// sum over all nodes of the pressure's and the viscous forces on whole volumes, so on both phases, and the momentum
+  /// that came in and went out with the flow.
+  struct VerticalForces {
+    double pressure = 0.0, stress = 0.0, inflow = 0.0, outflow = 0.0;
+  };
+  [[nodiscard]] const VerticalForces& vertical_forces() const { return vertical_forces_; }
+  /// Σ ρ V_L w [kg m/s]. The projection in first order conserves it with the liquid volumes of the step before, which
+  /// its convecting flow belongs to.
+  [[nodiscard]] double vertical_momentum() const;
+
   /// Wall time spent so far on the momentum equations and on the pressure equation [s], and its iterations.
   struct Cost {
     double momentum_seconds = 0.0, pressure_seconds = 0.0;
@@ -121,7 +132,9 @@ class LiquidSolver {
     std::array<std::vector<double>, 3> flux;  ///< the same through the links towards +x and +y and from below [m³/s]
     /// The momentum equations: weights of the neighbours towards −x, +x, −y, +y, −z, +z [kg/s].
     std::array<std::vector<double>, 6> coefficient;
-    std::vector<double> inertia, diagonal, right_hand_side, next, mobility;
+    std::vector<double> inertia, old_inertia, diagonal, right_hand_side, next, mobility;
+    std::vector<double> change, peak;  ///< scratch of the momentum sweeps, per level
+    double last_change = 0.0, largest = 0.0;
   };
 
   void build_component(std::size_t a);
@@ -129,13 +142,18 @@ class LiquidSolver {
   void start_step(double time_step, const std::vector<double>& before, const std::vector<double>& now);
   [[nodiscard]] double face_area(std::size_t a, int section) const;
   [[nodiscard]] double spacing(std::size_t a, int level) const;
+  void start_flows();
   void update_flows();
+  void add_net_outflow();
   void link_fluxes(std::size_t a);
   void start_viscous();
   template <ConvectionScheme scheme>
   void assemble(std::size_t a, const Exchange& exchange);
   void assemble(std::size_t a, const Exchange& exchange);
   void solve_momentum(std::size_t a);
+  void check_momentum() const;
+  void record_vertical_forces(double outflow);
+  [[nodiscard]] double outflow() const;
   void finish_viscous(std::size_t a);
   template <bool correct_velocity>
   void update_pressure_gradient();
@@ -149,16 +167,20 @@ class LiquidSolver {
   TimeScheme time_scheme_;
   PressureVelocity pressure_velocity_;
   bool closed_;
+  int threads_;
+  /// In first order the projection convects with the flow of the step's start, whose continuity is settled: momentum is
+  /// then conserved. Iterations and extrapolated velocities bring flows of their own.
+  bool settled_flow_;
   std::array<Component, 3> component_;
   std::vector<double> pressure_;
   std::vector<double> volume_change_;  ///< ∂V_L/∂t per cell [m³/s]
   std::vector<double> dilatation_;     ///< ∇·u per cell [1/s]
   std::vector<double> earlier_volume_,
-      last_volume_;                    ///< second order: liquid at the start and end of the last step [m³]
-  std::vector<double> change_, peak_;  ///< scratch of the momentum sweeps, per level
+      last_volume_;  ///< second order: liquid at the start and end of the last step [m³]
   PressureEquation pressure_equation_;
   std::vector<double> imbalance_, correction_, residual_;
   double continuity_error_ = 0.0;
+  VerticalForces vertical_forces_;
   Cost cost_;
 };
 

@@ -15,6 +15,8 @@ enum class FluidTier { quiescent, one_dimensional, three_dimensional };
 enum class ConvectionScheme { upwind, central, quick, muscl };
 enum class TimeScheme { euler, second_order };
 enum class VoidFractionScheme { centroid, particle_meshing, exact_overlap };
+enum class MomentumExchange { explicit_in_time, semi_implicit, implicit };
+enum class Interpolation { shares, gradient, trilinear };
 enum class PressureVelocity { projection, simple };
 enum class OutletRule { lid, remove };
 enum class StageKind { settle, fluidise, drop };
@@ -81,7 +83,9 @@ struct Contact {
 struct Coupling {
   std::string drag_law = "gidaspow-1994";
   VoidFractionScheme void_fraction = VoidFractionScheme::exact_overlap;
-  int meshing_pieces = 1214;      ///< particle meshing: pieces per sphere
+  int meshing_pieces = 1214;  ///< particle meshing: pieces per sphere
+  MomentumExchange exchange = MomentumExchange::semi_implicit;
+  Interpolation interpolation = Interpolation::shares;  ///< of voidage and liquid velocity at the spheres
   double smoothing_length = 0.0;  ///< bandwidth b of the Gaussian exp(−|x|²/b²) that spreads the shares [m]; 0: none
 };
 
@@ -123,6 +127,6 @@ struct Scene {
 inline constexpr double gravity = 9.81;  ///< [m/s²], as in every number of the paper
 
 /// Raised by hand when a change of the solver changes results; part of each run's name.
-inline constexpr int numerics_version = 2;
+inline constexpr int numerics_version = 3;
 
 }  // namespace slfb

@@ -184,14 +184,7 @@ class PhysicsCheck {
               "a cylinder has no opposite sides; allowed is \"no-slip\" or \"slip\", or "
               "geometry.shape = \"box\"");
     }
-    if (fluid.tier == FluidTier::quiescent) {
-      if (scene_.liquid.superficial_velocity > 0.0) {
-        problem("liquid.superficial_velocity", with_unit(scene_.liquid.superficial_velocity, units::velocity),
-                "the quiescent tier has liquid at rest; allowed is 0, or fluid.tier = \"one-dimensional\" or "
-                "\"three-dimensional\"");
-      }
-      return;
-    }
+    if (fluid.tier == FluidTier::quiescent) return;
     const double steps = fluid.time_step / scene_.contact.time_step;
     if (steps < 1.0 - 1e-9 || std::abs(steps - std::round(steps)) > 1e-9 * steps) {
       problem("fluid.time_step", with_unit(fluid.time_step, units::time),

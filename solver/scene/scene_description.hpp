@@ -82,6 +82,12 @@ inline constexpr std::array pressure_velocities{Choice{"projection", PressureVel
 inline constexpr std::array void_fractions{Choice{"centroid", VoidFractionScheme::centroid},
                                            Choice{"particle-meshing", VoidFractionScheme::particle_meshing},
                                            Choice{"exact-overlap", VoidFractionScheme::exact_overlap}};
+inline constexpr std::array exchanges{Choice{"explicit", MomentumExchange::explicit_in_time},
+                                      Choice{"semi-implicit", MomentumExchange::semi_implicit},
+                                      Choice{"implicit", MomentumExchange::implicit}};
+inline constexpr std::array interpolations{Choice{"shares", Interpolation::shares},
+                                           Choice{"gradient", Interpolation::gradient},
+                                           Choice{"trilinear", Interpolation::trilinear}};
 inline constexpr std::array outlet_rules{Choice{"lid", OutletRule::lid}, Choice{"remove", OutletRule::remove}};
 inline constexpr std::array stage_kinds{Choice{"settle", StageKind::settle}, Choice{"fluidise", StageKind::fluidise},
                                         Choice{"drop", StageKind::drop}};
@@ -159,6 +165,8 @@ void describe(Visitor& visitor, Scene& scene) {
     visitor.text("drag_law", coupling.drag_law, optional);
     visitor.choice("void_fraction", coupling.void_fraction, void_fractions, optional);
     visitor.integer("meshing_pieces", coupling.meshing_pieces, one_to_a_million, optional);
+    visitor.choice("exchange", coupling.exchange, exchanges, optional);
+    visitor.choice("interpolation", coupling.interpolation, interpolations, optional);
     visitor.number("smoothing_length", coupling.smoothing_length, u::length, not_negative, optional);
   });
   visitor.section("outlet", [&] { visitor.choice("particles", scene.outlet.rule, outlet_rules, optional); });

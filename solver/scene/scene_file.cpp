@@ -516,10 +516,7 @@ std::string scene_hash(const Scene& scene) {
   physics.title.clear();
   physics.recording.checkpoint_interval = Recording{}.checkpoint_interval;
   physics.contact.allow_large_time_step = false;
-  std::string text = canonical_toml(physics) + fmt::format("numerics_version = {}\n", numerics_version);
-  // Without smoothing a run keeps the name that it had before scenes could ask for it.
-  constexpr std::string_view unsmoothed = "smoothing_length = 0\n";
-  if (const auto at = text.find(unsmoothed); at != std::string::npos) text.erase(at, unsmoothed.size());
+  const std::string text = canonical_toml(physics) + fmt::format("numerics_version = {}\n", numerics_version);
   return fmt::format("{:016x}", XXH3_64bits(text.data(), text.size()));
 }
 

@@ -256,11 +256,6 @@ void expect_blame(const std::string& text, const std::string& blamed, const std:
   EXPECT_NE(message.find(start), std::string::npos) << message << "\nexpected: " << start;
 }
 
-TEST(SceneRules, QuiescentLiquidDoesNotFlow) {
-  expect_blame(replaced(valid_scene, "three-dimensional", "quiescent"), "superficial_velocity",
-               "liquid.superficial_velocity = \"0.06 m/s\": the quiescent tier has liquid at rest; allowed is 0");
-}
-
 TEST(SceneRules, FluidisationNeedsFlow) {
   expect_blame(replaced(valid_scene, "\"0.06 m/s\"", "0"), "kind = \"fluidise\"",
                "stage[1].kind = \"fluidise\": nothing flows; needed is liquid.superficial_velocity");

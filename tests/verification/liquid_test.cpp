@@ -308,7 +308,7 @@ TEST(Coupling, WhatTheSpheresGainTheLiquidLoses) {
     engine.particles.velocity.x[i] = 0.02 * std::sin(static_cast<double>(i));
     engine.particles.velocity.z[i] = 0.05 * std::cos(3.0 * static_cast<double>(i));
   }
-  coupling::PhaseCoupling exchange(scene, &liquid, 0.0025);
+  coupling::PhaseCoupling exchange(scene, &liquid);
   exchange.advance(engine, scene.fluid.time_step);
   for (std::size_t a : {std::size_t{0}, std::size_t{1}, std::size_t{2}}) {
     double on_spheres = 0.0, magnitude = 0.0;
@@ -356,7 +356,7 @@ TEST(Coupling, StaysStableAtStiffDrag) {
   dem::Engine engine(scene.contact, {}, {0, 0, 0}, 1);
   engine.add_particle({0, 0, 0.05}, 5e-6, 2230, 0);
   engine.particles.velocity.z[0] = 0.1;
-  coupling::PhaseCoupling exchange(scene, nullptr, 5e-6);
+  coupling::PhaseCoupling exchange(scene, nullptr);
   for (int k = 0; k < 5; ++k) {
     exchange.advance(engine, scene.fluid.time_step);
     engine.advance(200);
@@ -372,7 +372,7 @@ TEST(Coupling, SettlesAtTheTerminalVelocity) {
   scene.fluid.tier = FluidTier::quiescent;
   dem::Engine engine(scene.contact, {}, {0, 0, 0}, 1);
   engine.add_particle({0, 0, 0}, 0.003, 7800, 0);
-  coupling::PhaseCoupling exchange(scene, nullptr, 0.003);
+  coupling::PhaseCoupling exchange(scene, nullptr);
   for (int k = 0; k < 1500; ++k) {
     exchange.advance(engine, scene.fluid.time_step);
     engine.advance(20);

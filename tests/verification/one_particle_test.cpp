@@ -50,7 +50,7 @@ TEST(OneParticleFall, EngineConvergesToIt) {
     scene.contact.time_step = 5e-5;
     dem::Engine engine(scene.contact, {}, {0, 0, 0}, 1);
     engine.add_particle({0, 0, 1.0}, 0.003, 7800, 0);
-    coupling::PhaseCoupling exchange(scene, nullptr, 0.003);
+    coupling::PhaseCoupling exchange(scene, nullptr);
     for (int k = 0; k < std::lround(0.1 / liquid_step); ++k) {
       exchange.advance(engine, liquid_step);
       engine.advance(std::lround(liquid_step / 5e-5));
