@@ -34,7 +34,7 @@ struct Look {
   const char* line;
   const char* label = "left offset 0.9,0.4";
 };
-/// In the order of methods(): meshing in ever darker orange, smoothed schemes dashed.
+/// In the order of methods(): meshing in ever darker orange, with diffusion dashed.
 constexpr std::array looks{
     Look{"linecolor rgb second_variant linewidth 2 pointtype 9 pointsize 0.8"},
     Look{"linecolor rgb '#f3c39b' linewidth 2 pointtype 5 pointsize 0.6", "right offset -0.9,-0.3"},
@@ -155,7 +155,8 @@ FigureOutput draw(const FigureContext& context) {
   output.caption = fmt::format(
       "Above, left: a meshing template of 1214 pieces of equal volume, as many as in the paper's, cut open. Beside it: "
       "error of a cell's solids fraction against exact overlap, over the mean, in a random assembly of {} spheres at a "
-      "solids fraction of 0.5; dotted: the 50 % that the paper gives for the centroid method. Smoothed: diffusion with "
+      "solids fraction of 0.5; dotted: the 50 % that the paper gives for the centroid method. Diffusion: smoothing "
+      "with "
       "a bandwidth of one diameter, which leaves exact overlap on purpose. Below: error against CPU time on one core "
       "with the Pareto front, in cells of {:.2f} diameters; a sphere that crosses the face of such a cell, and the "
       "rate "

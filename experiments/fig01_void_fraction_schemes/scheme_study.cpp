@@ -59,8 +59,8 @@ const std::vector<Method>& methods() {
                                         {"1214 pieces", particle_meshing, 1214, 0.0},
                                         {"10000 pieces", particle_meshing, 10000, 0.0},
                                         {"exact overlap", exact_overlap, 1, 0.0},
-                                        {"centroid, smoothed", centroid, 1, 1.0},
-                                        {"exact overlap, smoothed", exact_overlap, 1, 1.0}};
+                                        {"centroid + diffusion", centroid, 1, 1.0},
+                                        {"exact overlap + diffusion", exact_overlap, 1, 1.0}};
   return list;
 }
 
