@@ -1,3 +1,4 @@
+#include "experiments/fig01_void_fraction_schemes/fig01.hpp"
 #include "experiments/fig05_pressure_drop/fig05.hpp"
 #include "experiments/fig08_history/fig08.hpp"
 #include "experiments/fig09_trajectories/fig09.hpp"
@@ -11,8 +12,8 @@
 namespace slfb {
 
 const std::vector<Figure>& figures() {
-  static const std::vector<Figure> list{fig05(), fig08(), fig09(),          fig10(),
-                                        fig13(), fig25(), kinetic_theory(), frontier_integrators()};
+  static const std::vector<Figure> list{
+      fig01(), fig05(), fig08(), fig09(), fig10(), fig13(), fig25(), kinetic_theory(), frontier_integrators()};
   return list;
 }
 

@@ -13,16 +13,18 @@ struct PlaneRow {
 /// (x.count + 1)(y.count + 1)(z.count + 1) values that add up to 1 [-]; exact but for round-off.
 ///
 /// The volume beyond one plane of each row is a cap, a wedge or an octant of the ball; boxes are their alternating
-/// differences. By the divergence theorem the volume with x > a, y > b, z > c is (S − a A_x − b A_y − c A_z)/3, with A
-/// the plane sections and S the spherical patch, which Gauss–Bonnet gives from its angles and the turning of its
-/// circles. With l_ab = √(1 − a² − b²) and φ_ab = arg(ab + i l_ab), the angle where two planes meet the sphere,
+/// differences. With l = √(1 − a² − b²), half the length of the edge where two planes meet inside the ball,
 ///
-///   cap     V(a) = π (1 − a)² (2 + a) / 3
-///   wedge   V(a, b) = [2 φ_ab − a (3 − a²) arg(b + i l_ab) − b (3 − b²) arg(a + i l_ab) + 2 a b l_ab] / 3
-///   octant  V(a, b, c) = [Σ φ_ab − π − ½ Σ a (3 − a²) θ_a + Σ a b l_ab] / 3 − a b c
+///   cap     x > a                V_a   = π (1 − a)² (2 + a) / 3
+///   wedge   x > a, y > b         V_ab  = [2 arg(ab + il) − a (3 − a²) arg(b + il) − b (3 − b²) arg(a + il) + 2abl] / 3
+///   octant  x > a, y > b, z > c  V_abc = (V_ab + V_bc + V_ca) / 2 − (V_a + V_b + V_c) / 4 + π/6 − abc
 ///
-/// sums over the three pairs or planes, θ_a the arc on the plane x = a. Near a tangency the volume does not feel an
-/// error of the root, since ∂V/∂l_ab at fixed a and b vanishes with l_ab².
+/// The wedge is (S − a A_x − b A_y)/3 by the divergence theorem, with A the plane sections and S the spherical patch,
+/// which Gauss–Bonnet gives from its angles and the turning of its circles; near a tangency it does not feel an error
+/// of the root, since ∂V_ab/∂l at fixed a and b vanishes with l². The octant holds for a corner inside the ball: there
+/// the box |x| < a, |y| < b, |z| < c of volume 8abc lies in the ball whole, and inclusion and exclusion of its six
+/// sides give what is beyond its corners. Where edge or corner lies outside, reflections reduce the volume to smaller
+/// ones.
 void unit_ball_parts(const PlaneRow& x, const PlaneRow& y, const PlaneRow& z, double* parts);
 
 }  // namespace slfb::coupling
