@@ -14,6 +14,7 @@
 #include <numbers>
 #include <thread>
 
+#include "solver/coupling/force_balance.hpp"
 #include "solver/coupling/phase_coupling.hpp"
 #include "solver/dem/engine.hpp"
 #include "solver/dem/granular_temperature.hpp"
@@ -94,6 +95,9 @@ class Simulation {
   void release(const Stage& stage);
   void take_out();
   void remove_at_outlet();
+  [[nodiscard]] double sphere_momentum() const;
+  void add_to_balance(double momentum_before);
+  void sample_balance();
   void sample_bed();
   void sample_contact_forces();
   void sample_drop();
@@ -121,7 +125,13 @@ class Simulation {
   RunResult result_;
   Position position_;
   std::int64_t fluidised_steps_ = 0, substeps_ = 1;
-  std::int64_t foreign_ = -1;  ///< index of the dropped sphere, -1 if none
+  std::int64_t foreign_ = -1;       ///< index of the dropped sphere, -1 if none
+  coupling::ForceBalance balance_;  ///< sums since the last sample of the bed
+  double balance_steps_ = 0.0, largest_residual_ = 0.0, liquid_momentum_ = 0.0;
+  /// Liquid appears or vanishes where a sphere is put in or taken out: that step is not balanced.
+  bool balanced_ = false;
+  std::array<double, 3> tracked_force_{};  ///< sum of the contact force on the dropped sphere since its last sample
+  double tracked_steps_ = 0.0;
   bool warned_of_network_ = false;
   Clock::time_point started_ = Clock::now(), last_checkpoint_ = Clock::now(), last_report_ = Clock::now();
   double wall_before_ = 0.0, cpu_before_ = 0.0, cpu_started_ = thread_cpu_seconds();
@@ -218,6 +228,7 @@ void Simulation::release(const Stage& stage) {
       engine_.add_particle({0.0, 0.0, stage.release_height}, radius, species.density, static_cast<int>(index)));
   engine_.track(static_cast<std::size_t>(foreign_));
   coupled_->forget_void_fraction();
+  balanced_ = false;
   DropSeries drop;
   drop.release_time = fluidised_seconds();
   drop.species = species.name;
@@ -229,6 +240,7 @@ void Simulation::release(const Stage& stage) {
 void Simulation::take_out() {
   engine_.remove_particle(static_cast<std::size_t>(foreign_));
   coupled_->forget_void_fraction();
+  balanced_ = false;
   foreign_ = -1;
   position_.falling = 0;
   position_.phase_steps = 0;
@@ -242,12 +254,14 @@ void Simulation::remove_at_outlet() {
     engine_.remove_particle(i);
     if (foreign_ > static_cast<std::int64_t>(i)) --foreign_;
     coupled_->forget_void_fraction();
+    balanced_ = false;
     ++result_.particles_removed;
   }
 }
 
 void Simulation::advance() {
   coupling::PhaseCoupling& exchange = coupling();
+  const double momentum_before = sphere_momentum();
   exchange.advance(engine_, scene_.fluid.time_step);
   engine_.advance(substeps_);
   result_.particle_steps += substeps_ * static_cast<std::int64_t>(engine_.particles.size());
@@ -257,6 +271,7 @@ void Simulation::advance() {
   const Stage& stage = scene_.stages[static_cast<std::size_t>(position_.stage)];
   if (stage.kind == StageKind::settle) return;
   ++fluidised_steps_;
+  add_to_balance(momentum_before);
   remove_at_outlet();
   if (fluidised_steps_ % std::max<std::int64_t>(1, steps_in(scene_.recording.bed_interval)) == 0) sample_bed();
   if (scene_.recording.snapshot_interval > 0.0 && fluidised_steps_ % steps_in(scene_.recording.snapshot_interval) == 0)
@@ -275,6 +290,55 @@ void Simulation::advance_drop(const Stage& stage) {
   const bool arrived = engine_.touches_wall(static_cast<std::size_t>(foreign_), 0);
   if (arrived) result_.drops.back().bottom_time = static_cast<double>(position_.phase_steps) * scene_.fluid.time_step;
   if (arrived || position_.phase_steps >= steps_in(stage.duration)) take_out();
+}
+
+double Simulation::sphere_momentum() const {
+  double sum = 0.0;
+  for (std::size_t i = 0; i < engine_.particles.size(); ++i)
+    sum += engine_.particles.mass[i] * engine_.particles.velocity.z[i];
+  return sum;
+}
+
+void Simulation::add_to_balance(double momentum_before) {
+  if (foreign_ >= 0) {
+    const auto mean = engine_.mean_contact_force_of_tracked();
+    for (std::size_t a = 0; a < 3; ++a) tracked_force_[a] += mean[a];
+    ++tracked_steps_;
+  }
+  if (!liquid_) return;
+  const double momentum = liquid_->vertical_momentum();
+  const double before = std::exchange(liquid_momentum_, momentum);
+  if (!std::exchange(balanced_, true)) return;
+  using Balance = coupling::ForceBalance;
+  Balance now;
+  const auto contacts = engine_.mean_vertical_wall_forces();
+  const auto& liquid = liquid_->vertical_forces();
+  for (std::size_t i = 0; i < engine_.particles.size(); ++i)
+    now.force[Balance::buoyant_weight] -=
+        gravity * (engine_.particles.mass[i] - scene_.liquid.density * engine_.particles.volume(i));
+  now.force[Balance::pressure] = liquid.pressure;
+  now.force[Balance::bottom] = contacts.bottom;
+  now.force[Balance::walls] = contacts.others;
+  now.force[Balance::shear] = liquid.stress;
+  now.force[Balance::flow] = liquid.inflow - liquid.outflow;
+  now.force[Balance::sphere_inertia] = -(sphere_momentum() - momentum_before) / scene_.fluid.time_step;
+  now.force[Balance::liquid_inertia] = -(momentum - before) / scene_.fluid.time_step;
+  for (std::size_t t = 0; t < Balance::terms; ++t) balance_.force[t] += now.force[t];
+  ++balance_steps_;
+  largest_residual_ = std::max(largest_residual_, std::abs(now.residual() / now.force[Balance::buoyant_weight]));
+}
+
+void Simulation::sample_balance() {
+  using Balance = coupling::ForceBalance;
+  BedSeries& bed = result_.bed;
+  const std::array<std::vector<double>*, Balance::terms> columns{
+      &bed.pressure_force, &bed.buoyant_weight, &bed.bottom_force,   &bed.wall_force,
+      &bed.shear_force,    &bed.flow_force,     &bed.sphere_inertia, &bed.liquid_inertia};
+  for (std::size_t t = 0; t < Balance::terms; ++t)
+    columns[t]->push_back(balance_.force[t] / std::max(1.0, balance_steps_));
+  bed.balance_residual.push_back(largest_residual_);
+  balance_ = {};
+  balance_steps_ = largest_residual_ = 0.0;
 }
 
 void Simulation::sample_bed() {
@@ -306,6 +370,7 @@ void Simulation::sample_bed() {
   bed.contacts_per_particle.push_back(contacts / n);
   bed.cumulative_contacts.push_back(events / n);
   sample_contact_forces();
+  sample_balance();
   bed.maximum_overlap.push_back(engine_.maximum_overlap());
   bed.foreign_present.push_back(foreign_ >= 0 ? 1.0 : 0.0);
 }
@@ -328,10 +393,11 @@ void Simulation::sample_drop() {
   drop.reynolds.push_back(coupled_->reynolds(i));
   const auto force = engine_.contact_force(i);
   drop.contact_force.push_back(std::hypot(force[0], force[1], force[2]));
-  const auto mean = engine_.mean_contact_force_of_tracked();
-  drop.contact_force_mean_x.push_back(mean[0]);
-  drop.contact_force_mean_y.push_back(mean[1]);
-  drop.contact_force_mean_z.push_back(mean[2]);
+  drop.contact_force_mean_x.push_back(tracked_force_[0] / tracked_steps_);
+  drop.contact_force_mean_y.push_back(tracked_force_[1] / tracked_steps_);
+  drop.contact_force_mean_z.push_back(tracked_force_[2] / tracked_steps_);
+  tracked_force_ = {};
+  tracked_steps_ = 0.0;
   drop.drag_force_z.push_back(coupled_->drag_force(i, 2));
   drop.pressure_force_z.push_back(coupled_->pressure_force(i, 2));
   drop.contacts.push_back(engine_.contacts(i));
@@ -433,6 +499,10 @@ void Simulation::save(const std::filesystem::path& file) const {
     h5.write("clock", std::vector<std::int64_t>{memory.list_step, memory.steps, position_.stage, position_.steps,
                                                 position_.repetition, position_.falling, position_.phase_steps,
                                                 fluidised_steps_, foreign_});
+    std::vector<double> sums(balance_.force.begin(), balance_.force.end());
+    sums.insert(sums.end(), {balance_steps_, largest_residual_, liquid_momentum_, balanced_ ? 1.0 : 0.0,
+                             tracked_force_[0], tracked_force_[1], tracked_force_[2], tracked_steps_});
+    h5.write("sums_since_last_sample", sums);
     h5.write_attribute("/", "scene_hash", scene_hash(scene_));
   });
 }
@@ -481,6 +551,15 @@ bool Simulation::resume(const std::filesystem::path& file) {
     liquid_->restore(state);
     coupled_->restore(h5.read_doubles("liquid/volume"));
   }
+  const auto sums = h5.read_doubles("sums_since_last_sample");
+  std::copy_n(sums.begin(), balance_.force.size(), balance_.force.begin());
+  const auto sum = [&](std::size_t k) { return sums.at(balance_.force.size() + k); };
+  balance_steps_ = sum(0);
+  largest_residual_ = sum(1);
+  liquid_momentum_ = sum(2);
+  balanced_ = sum(3) != 0.0;
+  tracked_force_ = {sum(4), sum(5), sum(6)};
+  tracked_steps_ = sum(7);
   result_ = load_result(records_file(memory.steps));
   wall_before_ = result_.wall_seconds;
   cpu_before_ = result_.cpu_seconds;

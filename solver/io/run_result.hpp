@@ -26,7 +26,11 @@ struct BedSeries {
   std::vector<double> contact_force_wall;     ///< of the contacts with walls [N]
   std::vector<double> network_step;           ///< DEM step times the bound of the contact network's frequency [-]
   std::vector<double> maximum_overlap;        ///< largest overlap over particle radius [-]
-  std::vector<double> foreign_present;        ///< 1 while a dropped sphere is in the column, else 0
+  // Vertical forces on spheres and liquid together, means since the last sample (coupling::ForceBalance) [N].
+  std::vector<double> pressure_force, buoyant_weight, bottom_force, wall_force, shear_force, flow_force, sphere_inertia,
+      liquid_inertia;
+  std::vector<double> balance_residual;  ///< largest sum of them over a step since the last sample, of the weight [-]
+  std::vector<double> foreign_present;   ///< 1 while a dropped sphere is in the column, else 0
 };
 
 /// History of one dropped sphere; all vectors have the same length. Time 0 is its release.

@@ -121,6 +121,10 @@ inline FinishedRun run(double superficial_velocity, const std::string& variant, 
     result.bed.contact_force_foreign.push_back(0.0);
     result.bed.contact_force_wall.push_back(1e-3);
     result.bed.network_step.push_back(0.5);
+    for (auto* force : {&result.bed.pressure_force, &result.bed.buoyant_weight, &result.bed.bottom_force,
+                        &result.bed.wall_force, &result.bed.shear_force, &result.bed.flow_force,
+                        &result.bed.sphere_inertia, &result.bed.liquid_inertia, &result.bed.balance_residual})
+      force->push_back(0.0);
     result.bed.maximum_overlap.push_back(0.01);
     result.bed.foreign_present.push_back(time > 4.0 ? 1.0 : 0.0);
   }
