@@ -13,6 +13,7 @@
 #include <stdexcept>
 
 #include "correlations/drag/drag_laws.hpp"
+#include "solver/coupling/forces/lubrication.hpp"
 #include "solver/scene/scene.hpp"
 
 namespace slfb {
@@ -32,9 +33,16 @@ int derivative(realtype /*time*/, N_Vector state, N_Vector rate, void* data) {
       volume *
       drag::exchange_per_solid_volume(law({fall.voidage, reynolds}), fall.voidage, fall.diameter, fall.viscosity) *
       slip;
+  double wall_drag = fall.wall_drag;
+  if (fall.above_bottom) {
+    const double relative_gap = NV_Ith_S(state, 0) / (0.5 * fall.diameter) - 1.0;
+    if (relative_gap <= 0.0) return 1;  // too long a step: CVODE tries a shorter one
+    wall_drag += coupling::brenner_wall_drag(relative_gap) - 1.0;
+  }
+  const double wall_force = -3.0 * std::numbers::pi * fall.viscosity * fall.diameter * wall_drag * velocity;
   const double inertia = (fall.density + fall.added_mass * fall.liquid_density) * volume;
   NV_Ith_S(rate, 0) = velocity;
-  NV_Ith_S(rate, 1) = (drag - (fall.density - fall.surrounding_density) * volume * gravity) / inertia;
+  NV_Ith_S(rate, 1) = (drag + wall_force - (fall.density - fall.surrounding_density) * volume * gravity) / inertia;
   return std::isfinite(drag) ? 0 : -1;
 }
 

@@ -10,6 +10,7 @@
 #include "correlations/fluidisation/minimum_fluidisation/ergun_1952.hpp"
 #include "correlations/fluidisation/minimum_fluidisation/gibilaro_1985.hpp"
 #include "correlations/fluidisation/minimum_fluidisation/wen_yu_1966.hpp"
+#include "correlations/fluidisation/wall_correction/haberman_sayre_1958.hpp"
 #include "correlations/fluidisation/wall_correction/munroe_1888.hpp"
 #include "correlations/fluidisation/wall_correction/newton_1687.hpp"
 #include "correlations/fluidisation/wall_correction/richardson_zaki_wall_1954.hpp"
@@ -29,8 +30,9 @@ using ExpansionExponentLaws = std::tuple<RichardsonZaki1954,  //
                                          GarsideAlDibouni1977>;
 
 /// Laws for the effect of a tube on the terminal velocity.
-using WallCorrectionLaws = std::tuple<Munroe1888,  //
-                                      Newton1687,  //
+using WallCorrectionLaws = std::tuple<Munroe1888,         //
+                                      Newton1687,         //
+                                      HabermanSayre1958,  //
                                       RichardsonZakiWall1954>;
 
 }  // namespace slfb::fluidisation
