@@ -227,7 +227,7 @@ void Simulation::release(const Stage& stage) {
   foreign_ = static_cast<std::int64_t>(
       engine_.add_particle({0.0, 0.0, stage.release_height}, radius, species.density, static_cast<int>(index)));
   engine_.track(static_cast<std::size_t>(foreign_));
-  coupled_->forget_void_fraction();
+  coupled_->sphere_added();
   balanced_ = false;
   DropSeries drop;
   drop.release_time = fluidised_seconds();
@@ -239,7 +239,7 @@ void Simulation::release(const Stage& stage) {
 
 void Simulation::take_out() {
   engine_.remove_particle(static_cast<std::size_t>(foreign_));
-  coupled_->forget_void_fraction();
+  coupled_->sphere_removed(static_cast<std::size_t>(foreign_));
   balanced_ = false;
   foreign_ = -1;
   position_.falling = 0;
@@ -253,7 +253,7 @@ void Simulation::remove_at_outlet() {
     if (static_cast<std::int64_t>(i) == foreign_) continue;
     engine_.remove_particle(i);
     if (foreign_ > static_cast<std::int64_t>(i)) --foreign_;
-    coupled_->forget_void_fraction();
+    coupled_->sphere_removed(i);
     balanced_ = false;
     ++result_.particles_removed;
   }
@@ -502,6 +502,9 @@ void Simulation::save(const std::filesystem::path& file) const {
     std::vector<double> sums(balance_.force.begin(), balance_.force.end());
     sums.insert(sums.end(), {balance_steps_, largest_residual_, liquid_momentum_, balanced_ ? 1.0 : 0.0,
                              tracked_force_[0], tracked_force_[1], tracked_force_[2], tracked_steps_});
+    h5.write("still/further_forces", still_->further_state());
+    h5.write("coupled/further_forces", coupled_->further_state());
+    h5.write("particles/added_mass", particles.added_mass);
     h5.write("sums_since_last_sample", sums);
     h5.write_attribute("/", "scene_hash", scene_hash(scene_));
   });
@@ -524,6 +527,7 @@ bool Simulation::resume(const std::filesystem::path& file) {
   particles.angular_velocity = read_vector("particles/angular_velocity");
   particles.radius = h5.read_doubles("particles/radius");
   particles.mass = h5.read_doubles("particles/mass");
+  particles.added_mass = h5.read_doubles("particles/added_mass");
   for (const std::int64_t s : h5.read_integers("particles/species")) particles.species.push_back(static_cast<int>(s));
   const auto clock = h5.read_integers("clock");
   dem::Engine::Memory memory;
@@ -549,8 +553,10 @@ bool Simulation::resume(const std::filesystem::path& file) {
     for (std::size_t f = 0; f < state.size(); ++f)
       state[f] = h5.read_doubles(fmt::format("liquid/{}", fluid::LiquidSolver::state_names[f]));
     liquid_->restore(state);
-    coupled_->restore(h5.read_doubles("liquid/volume"));
   }
+  still_->restore({}, h5.read_doubles("still/further_forces"));
+  coupled_->restore(liquid_ ? h5.read_doubles("liquid/volume") : std::vector<double>{},
+                    h5.read_doubles("coupled/further_forces"));
   const auto sums = h5.read_doubles("sums_since_last_sample");
   std::copy_n(sums.begin(), balance_.force.size(), balance_.force.begin());
   const auto sum = [&](std::size_t k) { return sums.at(balance_.force.size() + k); };

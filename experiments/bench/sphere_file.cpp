@@ -21,7 +21,8 @@ auto columns_of(Particles& particles) {
                      {"angular_velocity/y", &particles.angular_velocity.y},
                      {"angular_velocity/z", &particles.angular_velocity.z},
                      {"radius", &particles.radius},
-                     {"mass", &particles.mass}};
+                     {"mass", &particles.mass},
+                     {"added_mass", &particles.added_mass}};
 }
 
 }  // namespace

@@ -20,11 +20,15 @@ double largest_radius(const Scene& scene) {
 }  // namespace
 
 PhaseCoupling::PhaseCoupling(const Scene& scene, fluid::LiquidSolver* liquid, double prescribed_velocity)
-    : scene_(scene), liquid_(liquid), prescribed_velocity_(prescribed_velocity) {
+    : scene_(scene),
+      liquid_(liquid),
+      prescribed_velocity_(prescribed_velocity),
+      at_centres_(liquid != nullptr && scene.coupling.interpolation != Interpolation::shares),
+      further_(scene, scene.fluid.time_step) {
   if (liquid != nullptr) {
     shares_.emplace(scene.coupling.void_fraction, scene.coupling.meshing_pieces, liquid->grid(), largest_radius(scene));
     smoothing_.emplace(liquid->grid(), scene.coupling.smoothing_length);
-    if (scene.coupling.interpolation != Interpolation::shares)
+    if (at_centres_ || further_.need_gradients())
       point_values_.emplace(liquid->grid(), scene.coupling.interpolation, scene.fluid.wall == LateralBoundary::no_slip);
   }
   // One indirect call per block of spheres; the law itself is inlined in the loop over them.
@@ -36,14 +40,22 @@ PhaseCoupling::PhaseCoupling(const Scene& scene, fluid::LiquidSolver* liquid, do
 }
 
 void PhaseCoupling::resize(std::size_t n) {
-  for (auto* field : {&volume_, &voidage_, &reynolds_, &coefficient_, &damped_coefficient_, &next_coefficient_})
+  for (auto* field : {&volume_, &voidage_, &reynolds_, &coefficient_, &damped_coefficient_, &next_coefficient_,
+                      &further_coefficient_})
     field->resize(n);
-  for (auto* fields : {&velocity_correction_, &liquid_velocity_, &drag_, &predicted_velocity_, &momentum_})
+  for (auto* fields : {&velocity_correction_, &liquid_velocity_, &drag_, &free_velocity_, &predicted_velocity_,
+                       &momentum_, &further_force_, &further_reaction_})
     for (auto& field : *fields) field.resize(n, 0.0);
 }
 
-void PhaseCoupling::restore(std::vector<double> liquid_volume) {
+void PhaseCoupling::sphere_removed(std::size_t i) {
+  liquid_before_.clear();
+  further_.remove(i);
+}
+
+void PhaseCoupling::restore(std::vector<double> liquid_volume, const std::vector<double>& further_state) {
   liquid_before_ = std::move(liquid_volume);
+  further_.restore(further_state);
   cells_valid_ = false;
 }
 
@@ -112,13 +124,22 @@ void PhaseCoupling::read_at_spheres(const dem::Engine& engine, double time_step)
       }
       std::array<double, 3> u{value[CellValues::velocity_x], value[CellValues::velocity_y],
                               value[CellValues::velocity_z]};
-      if (point_values_) {
+      if (at_centres_) {
         const auto at_centre = point_values_->at(particles.position.at(i), cells_);
         value[CellValues::voidage] = at_centre[0];
         for (std::size_t a = 0; a < 3; ++a) {
           velocity_correction_[a][i] = at_centre[a + 1] - u[a];
           u[a] = at_centre[a + 1];
         }
+      }
+      if (liquid_ != nullptr && further_.corrects_disturbance()) {
+        const dem::Vec3 own = further_.self_induced(i);
+        const std::array<double, 3> induced{own.x, own.y, own.z};
+        for (std::size_t a = 0; a < 3; ++a) {
+          u[a] -= induced[a];
+          velocity_correction_[a][i] = u[a] - value[CellValues::velocity_x + a];
+        }
+        value[CellValues::voidage] = undisturbed_voidage(value[CellValues::voidage], volume_[i] * own_concentration(i));
       }
       const double x = u[0] - particles.velocity.x[i], y = u[1] - particles.velocity.y[i],
                    z = u[2] - particles.velocity.z[i];
@@ -130,16 +151,18 @@ void PhaseCoupling::read_at_spheres(const dem::Engine& engine, double time_step)
          std::span(coefficient_).subspan(begin, count));
     for (std::size_t i = begin; i < end; ++i) {
       const std::array<double, 8>& value = values[i - begin];
-      const double volume = volume_[i], inertia = particles.mass[i];
+      const double volume = volume_[i], per_inertia = time_step / particles.inertial_mass(i);
       coefficient_[i] =
+          further_coefficient_[i] +
           volume * drag::exchange_per_solid_volume(coefficient_[i], voidage_[i], 2.0 * particles.radius[i], viscosity);
       const auto solid = engine.mean_solid_force(i);
       const std::array<double, 3> v = particles.velocity.at(i);
       const double buoyant_weight = -gravity * (particles.mass[i] - density * volume);
-      damped_coefficient_[i] = coefficient_[i] / (1.0 + coefficient_[i] * time_step / inertia);
+      damped_coefficient_[i] = coefficient_[i] / (1.0 + coefficient_[i] * per_inertia);
       for (std::size_t a = 0; a < 3; ++a) {
-        const double other = solid[a] + volume * value[CellValues::stress_x + a] + (a == 2 ? buoyant_weight : 0.0);
-        predicted_velocity_[a][i] = v[a] + time_step * other / inertia;
+        const double other = solid[a] + further_force_[a][i] + (a == 2 ? buoyant_weight : 0.0);
+        free_velocity_[a][i] = v[a] + per_inertia * other;
+        predicted_velocity_[a][i] = free_velocity_[a][i] + per_inertia * volume * value[CellValues::stress_x + a];
         if (explicit_exchange)  // the force itself, as momentum that the liquid gains
           drag_[a][i] = coefficient_[i] * (value[CellValues::velocity_x + a] + velocity_correction_[a][i] - v[a]);
       }
@@ -158,6 +181,8 @@ void PhaseCoupling::give_to_liquid(const dem::Engine& engine) {
       momentum_[a][i] = explicit_exchange
                             ? -drag_[a][i]
                             : damped_coefficient_[i] * (predicted_velocity_[a][i] - velocity_correction_[a][i]);
+    if (further_.any())
+      for (std::size_t a = 0; a < 3; ++a) momentum_[a][i] += further_reaction_[a][i];
   }
   shares_->scatter<4>({&damped_coefficient_, &momentum_[0], &momentum_[1], &momentum_[2]},
                       {&scattered_[0], &scattered_[1], &scattered_[2], &scattered_[3]}, engine.threads());
@@ -169,7 +194,7 @@ void PhaseCoupling::give_to_liquid(const dem::Engine& engine) {
 }
 
 /// The drag at the liquid's new velocity, and all that the liquid does to the spheres, as a constant force.
-void PhaseCoupling::give_to_spheres(dem::Engine& engine) {
+void PhaseCoupling::give_to_spheres(dem::Engine& engine, double time_step) {
   const dem::Particles& particles = engine.particles;
   const std::array<std::vector<double>*, 3> external{&engine.external_force.x, &engine.external_force.y,
                                                      &engine.external_force.z};
@@ -192,7 +217,9 @@ void PhaseCoupling::give_to_spheres(dem::Engine& engine) {
       liquid_velocity_[a][i] = value[CellValues::velocity_x + a] + velocity_correction_[a][i];
       if (!explicit_exchange)
         drag_[a][i] = damped_coefficient_[i] * (liquid_velocity_[a][i] - predicted_velocity_[a][i]);
-      (*external[a])[i] = drag_[a][i] + volume * value[CellValues::stress_x + a];
+      const double stress_force = volume * value[CellValues::stress_x + a];
+      predicted_velocity_[a][i] = free_velocity_[a][i] + time_step / particles.inertial_mass(i) * stress_force;
+      (*external[a])[i] = drag_[a][i] + stress_force + further_force_[a][i];
     }
     (*external[2])[i] -= gravity * (particles.mass[i] - scene_.liquid.density * volume);
   }
@@ -211,11 +238,12 @@ double PhaseCoupling::update_coefficient(const dem::Engine& engine, double time_
   law_(voidage_, reynolds_, next_coefficient_);
   double change = 0.0;
   for (std::size_t i = 0; i < particles.size(); ++i) {
-    const double coefficient = volume_[i] * drag::exchange_per_solid_volume(next_coefficient_[i], voidage_[i],
-                                                                            2.0 * particles.radius[i], viscosity);
+    const double coefficient =
+        further_coefficient_[i] + volume_[i] * drag::exchange_per_solid_volume(next_coefficient_[i], voidage_[i],
+                                                                               2.0 * particles.radius[i], viscosity);
     change = std::max(change, std::abs(coefficient - coefficient_[i]) / coefficient_[i]);
     coefficient_[i] = coefficient;
-    damped_coefficient_[i] = coefficient / (1.0 + coefficient * time_step / particles.mass[i]);
+    damped_coefficient_[i] = coefficient / (1.0 + coefficient * time_step / particles.inertial_mass(i));
   }
   return change;
 }
@@ -226,13 +254,15 @@ void PhaseCoupling::advance(dem::Engine& engine, double time_step) {
   for (std::size_t i = 0; i < n; ++i) volume_[i] = engine.particles.volume(i);
   passes_ = 1;
   if (liquid_ == nullptr) {
+    if (further_.any()) apply_further_forces(engine);
     read_at_spheres(engine, time_step);
-    give_to_spheres(engine);
+    give_to_spheres(engine, time_step);
     return;
   }
   cells_.resize(liquid_->grid().size());
   update_void_fraction(engine);
   if (!cells_valid_) read_liquid();
+  if (further_.any()) apply_further_forces(engine);
   read_at_spheres(engine, time_step);
   const bool implicit = scene_.coupling.exchange == MomentumExchange::implicit;
   fluid::LiquidSolver::State start;
@@ -241,7 +271,7 @@ void PhaseCoupling::advance(dem::Engine& engine, double time_step) {
     give_to_liquid(engine);
     liquid_->advance(time_step, liquid_before_, liquid_now_, exchange_);
     read_liquid();
-    give_to_spheres(engine);
+    give_to_spheres(engine, time_step);
     if (!implicit) break;
     constexpr double tolerance = 1e-6;
     constexpr int most_passes = 50;
@@ -254,6 +284,65 @@ void PhaseCoupling::advance(dem::Engine& engine, double time_step) {
     liquid_->restore(start);
   }
   std::swap(liquid_before_, liquid_now_);
+  if (!further_.corrects_disturbance()) return;
+  for (std::size_t i = 0; i < n; ++i) {
+    const auto v = engine.particles.velocity.at(i);
+    const double slip =
+        std::hypot(liquid_velocity_[0][i] - v[0], liquid_velocity_[1][i] - v[1], liquid_velocity_[2][i] - v[2]);
+    further_.disturb(i, {-drag_[0][i], -drag_[1][i], -drag_[2][i]}, own_concentration(i), voidage_[i], slip);
+  }
+}
+
+/// Σ φ²/V_c of a sphere's shares [1/m³].
+double PhaseCoupling::own_concentration(std::size_t i) const {
+  const auto layers = static_cast<std::size_t>(liquid_->grid().layers());
+  const std::uint32_t* cell = shares_->cells(i);
+  const double* share = shares_->shares(i);
+  double sum = 0.0;
+  for (int m = 0; m < shares_->count(i); ++m)
+    sum += share[m] * share[m] / liquid_->grid().volume(static_cast<int>(cell[m] / layers));
+  return sum;
+}
+
+/// Forces that the scene has switched on beyond drag and pressure, from the liquid around each sphere before the step.
+void PhaseCoupling::apply_further_forces(dem::Engine& engine) {
+  dem::Particles& particles = engine.particles;
+  const std::size_t n = particles.size();
+  for (std::size_t i = 0; i < n; ++i) {
+    std::array<double, 3> u{0.0, 0.0, prescribed_velocity_};
+    if (liquid_ != nullptr) {
+      const std::uint32_t* cell = shares_->cells(i);
+      const double* share = shares_->shares(i);
+      u = {};
+      for (int m = 0; m < shares_->count(i); ++m)
+        for (std::size_t a = 0; a < 3; ++a) u[a] += share[m] * cells_[cell[m]].value[CellValues::velocity_x + a];
+      if (at_centres_) {
+        const auto at_centre = point_values_->at(particles.position.at(i), cells_);
+        std::copy_n(at_centre.begin() + 1, 3, u.begin());
+      }
+    }
+    for (std::size_t a = 0; a < 3; ++a) liquid_velocity_[a][i] = u[a];
+  }
+  further_.start_step(particles, liquid_velocity_);
+  for (std::size_t i = 0; i < n; ++i) {
+    FurtherForces::Surroundings around{
+        dem::Vec3{liquid_velocity_[0][i], liquid_velocity_[1][i], liquid_velocity_[2][i]} - further_.self_induced(i),
+        {}};
+    if (liquid_ != nullptr && further_.need_gradients()) {
+      const auto gradient = point_values_->gradient(particles.position.at(i), cells_);
+      for (std::size_t a = 0; a < 3; ++a)
+        around.gradient[a] = {gradient[a + 1][0], gradient[a + 1][1], gradient[a + 1][2]};
+    }
+    const FurtherForces::Effect effect = further_.effect(particles, i, around);
+    further_force_[0][i] = effect.force.x, further_force_[1][i] = effect.force.y, further_force_[2][i] = effect.force.z;
+    further_reaction_[0][i] = effect.reaction.x, further_reaction_[1][i] = effect.reaction.y;
+    further_reaction_[2][i] = effect.reaction.z;
+    further_coefficient_[i] = effect.coefficient;
+    const dem::Vec3 turned = further_.turned(particles, i, around);
+    particles.angular_velocity.x[i] += turned.x;
+    particles.angular_velocity.y[i] += turned.y;
+    particles.angular_velocity.z[i] += turned.z;
+  }
 }
 
 double PhaseCoupling::pressure_force(std::size_t i, std::size_t a) const {

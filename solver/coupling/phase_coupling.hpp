@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "solver/coupling/diffusion_smoothing.hpp"
+#include "solver/coupling/further_forces.hpp"
 #include "solver/coupling/point_values.hpp"
 #include "solver/coupling/void_fraction.hpp"
 #include "solver/dem/engine.hpp"
@@ -34,8 +35,10 @@ class PhaseCoupling {
   /// Solves the liquid over `time_step` from the present spheres and sets their external_force.
   void advance(dem::Engine& engine, double time_step);
 
-  /// Tells that a sphere has been put in or taken out: the next step sees no liquid displaced by it.
-  void forget_void_fraction() { liquid_before_.clear(); }
+  /// Tells that a sphere has been put in, or that sphere i has been taken out: the next step sees no liquid displaced
+  /// by that.
+  void sphere_added() { liquid_before_.clear(); }
+  void sphere_removed(std::size_t i);
 
   /// Values at the spheres after the last advance.
   [[nodiscard]] double voidage(std::size_t i) const { return voidage_[i]; }
@@ -60,7 +63,9 @@ class PhaseCoupling {
 
   /// Liquid volume per cell at the last step, for checkpoints [m³].
   [[nodiscard]] const std::vector<double>& liquid_volume() const { return liquid_before_; }
-  void restore(std::vector<double> liquid_volume);
+  /// What the further forces remember, for checkpoints.
+  [[nodiscard]] std::vector<double> further_state() const { return further_.state(); }
+  void restore(std::vector<double> liquid_volume, const std::vector<double>& further_state);
 
  private:
   using LawKernel = std::function<void(std::span<const double> voidage, std::span<const double> reynolds,
@@ -70,8 +75,10 @@ class PhaseCoupling {
   void update_void_fraction(const dem::Engine& engine);
   void read_liquid();
   void read_at_spheres(const dem::Engine& engine, double time_step);
+  void apply_further_forces(dem::Engine& engine);
+  [[nodiscard]] double own_concentration(std::size_t i) const;
   void give_to_liquid(const dem::Engine& engine);
-  void give_to_spheres(dem::Engine& engine);
+  void give_to_spheres(dem::Engine& engine, double time_step);
   [[nodiscard]] double update_coefficient(const dem::Engine& engine, double time_step);
 
   const Scene& scene_;
@@ -79,7 +86,9 @@ class PhaseCoupling {
   double prescribed_velocity_;
   std::optional<VolumeShares> shares_;  ///< none without a liquid
   std::optional<DiffusionSmoothing> smoothing_;
-  std::optional<PointValues> point_values_;  ///< only where values are asked for at the spheres' centres
+  std::optional<PointValues> point_values_;
+  bool at_centres_ = false;  ///< voidage and velocity are read at the spheres' centres
+  FurtherForces further_;
   LawKernel law_;
   std::vector<double> liquid_before_, liquid_now_, solid_, cell_scratch_;
   std::vector<CellValues> cells_;  ///< what the spheres read
@@ -90,7 +99,12 @@ class PhaseCoupling {
   std::vector<double> volume_, voidage_, reynolds_, coefficient_, damped_coefficient_, next_coefficient_;
   /// Of the sphere's centre over the mean by shares, of the liquid's velocity [m/s].
   std::array<std::vector<double>, 3> velocity_correction_;
-  std::array<std::vector<double>, 3> liquid_velocity_, drag_, predicted_velocity_, momentum_;
+  std::array<std::vector<double>, 3> liquid_velocity_, drag_, momentum_;
+  /// v advanced without the liquid's stress and drag, and v': without the drag [m/s].
+  std::array<std::vector<double>, 3> free_velocity_, predicted_velocity_;
+  /// Of the further forces: on the spheres and on the liquid [N], and beside K [kg/s].
+  std::array<std::vector<double>, 3> further_force_, further_reaction_;
+  std::vector<double> further_coefficient_;
   double void_fraction_seconds_ = 0.0;
   int passes_ = 1;
 };

@@ -22,27 +22,28 @@ std::array<double, 4> PointValues::at(const std::array<double, 3>& x, const std:
   return scheme_ == Interpolation::gradient ? by_gradient(x, cells) : trilinear(x, cells);
 }
 
-std::array<double, 4> PointValues::by_gradient(const std::array<double, 3>& x,
-                                               const std::vector<CellValues>& cells) const {
+std::size_t PointValues::home(const std::array<double, 3>& x) const {
   const auto index = [&](std::size_t a) {
     return static_cast<int>(std::floor((x[a] - grid_.lower(a)) / grid_.spacing(a)));
   };
-  const int layer = static_cast<int>(std::floor(x[2] / grid_.cell_height()));
-  const std::size_t home = cell(index(0), index(1), layer);
-  const auto layers = static_cast<std::size_t>(grid_.layers());
-  const int section = static_cast<int>(home / layers);
-  const std::size_t k = home % layers;
-  const std::array<double, 8>& own = cells[home].value;
-  std::array<double, 4> result{own[0], own[1], own[2], own[3]};
+  return cell(index(0), index(1), static_cast<int>(std::floor(x[2] / grid_.cell_height())));
+}
 
-  const auto add = [&](double offset, double width, const std::array<double, 8>* below, bool wall_below,
-                       const std::array<double, 8>* above, bool wall_above) {
+std::array<std::array<double, 3>, 4> PointValues::gradient(const std::array<double, 3>& x,
+                                                           const std::vector<CellValues>& cells) const {
+  const auto layers = static_cast<std::size_t>(grid_.layers());
+  const std::size_t here = home(x), k = here % layers;
+  const int section = static_cast<int>(here / layers);
+  const std::array<double, 8>& own = cells[here].value;
+  std::array<std::array<double, 3>, 4> result{};
+  const auto set = [&](std::size_t a, double width, const std::array<double, 8>* below,
+                       const std::array<double, 8>* above, bool wall) {
     for (std::size_t f = 0; f < 4; ++f) {
-      const auto on_face = [&](const std::array<double, 8>* beyond, bool wall) {
+      const auto on_face = [&](const std::array<double, 8>* beyond) {
         if (beyond != nullptr) return 0.5 * (own[f] + (*beyond)[f]);
         return wall && f > 0 ? 0.0 : own[f];
       };
-      result[f] += offset * (on_face(above, wall_above) - on_face(below, wall_below)) / width;
+      result[f][a] = (on_face(above) - on_face(below)) / width;
     }
   };
   for (std::size_t a : {std::size_t{0}, std::size_t{1}}) {
@@ -52,16 +53,30 @@ std::array<double, 4> PointValues::by_gradient(const std::array<double, 3>& x,
       const auto& f = grid_.faces(a)[static_cast<std::size_t>(face)];
       return &cells[static_cast<std::size_t>(side == 0 ? f.first : f.second) * layers + k].value;
     };
-    const double width = grid_.spacing(a);
-    double offset = x[a] - grid_.centre(section)[a];
-    if (grid_.periodic()) offset -= grid_.squares(a) * width * std::nearbyint(offset / (grid_.squares(a) * width));
     // One cell across has no walls to be felt: the flow is plane.
-    const bool wall = no_slip_ && grid_.squares(a) > 1;
-    add(offset, width, neighbour(0), wall, neighbour(1), wall);
+    set(a, grid_.spacing(a), neighbour(0), neighbour(1), no_slip_ && grid_.squares(a) > 1);
   }
-  const double height = grid_.cell_height();
-  add(x[2] - (static_cast<double>(k) + 0.5) * height, height, k > 0 ? &cells[home - 1].value : nullptr, false,
-      k + 1 < layers ? &cells[home + 1].value : nullptr, false);
+  set(2, grid_.cell_height(), k > 0 ? &cells[here - 1].value : nullptr,
+      k + 1 < layers ? &cells[here + 1].value : nullptr, false);
+  return result;
+}
+
+std::array<double, 4> PointValues::by_gradient(const std::array<double, 3>& x,
+                                               const std::vector<CellValues>& cells) const {
+  const auto slope = gradient(x, cells);
+  const std::size_t here = home(x), layers = static_cast<std::size_t>(grid_.layers());
+  const auto centre = grid_.centre(static_cast<int>(here / layers));
+  std::array<double, 3> offset{x[0] - centre[0], x[1] - centre[1],
+                               x[2] - (static_cast<double>(here % layers) + 0.5) * grid_.cell_height()};
+  for (std::size_t a : {std::size_t{0}, std::size_t{1}}) {
+    const double period = grid_.squares(a) * grid_.spacing(a);
+    if (grid_.periodic()) offset[a] -= period * std::nearbyint(offset[a] / period);
+  }
+  std::array<double, 4> result{};
+  for (std::size_t f = 0; f < 4; ++f) {
+    result[f] = cells[here].value[f];
+    for (std::size_t a = 0; a < 3; ++a) result[f] += offset[a] * slope[f][a];
+  }
   return result;
 }
 

@@ -23,10 +23,15 @@ class PointValues {
  public:
   PointValues(const fluid::ColumnGrid& grid, Interpolation scheme, bool no_slip);
 
+  /// ∇ of voidage [1/m] and of each velocity component [1/s] in the cell that holds x, by the divergence theorem.
+  [[nodiscard]] std::array<std::array<double, 3>, 4> gradient(const std::array<double, 3>& x,
+                                                              const std::vector<CellValues>& cells) const;
   /// Voidage [-] and velocity [m/s] at x.
   [[nodiscard]] std::array<double, 4> at(const std::array<double, 3>& x, const std::vector<CellValues>& cells) const;
 
  private:
+  /// The cell that holds x.
+  [[nodiscard]] std::size_t home(const std::array<double, 3>& x) const;
   [[nodiscard]] std::size_t cell(int ix, int iy, int layer) const;
   [[nodiscard]] std::array<double, 4> by_gradient(const std::array<double, 3>& x,
                                                   const std::vector<CellValues>& cells) const;

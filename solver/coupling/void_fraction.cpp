@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <stdexcept>
 #include <utility>
 
 #include "solver/coupling/sphere_overlap.hpp"
@@ -11,7 +12,7 @@ namespace slfb::coupling {
 
 VolumeShares::VolumeShares(VoidFractionScheme scheme, int meshing_pieces, const fluid::ColumnGrid& grid,
                            double largest_radius)
-    : scheme_(scheme), grid_(grid) {
+    : scheme_(scheme), grid_(grid), largest_radius_(largest_radius) {
   for (std::size_t a = 0; a < 3; ++a) {
     Axis& axis = axis_[a];
     axis.origin = a == 2 ? 0.0 : grid.lower(a);
@@ -128,6 +129,8 @@ void VolumeShares::keep_occupied(std::size_t i, const Block& block) {
 
 void VolumeShares::update(const dem::Particles& particles, int threads) {
   const std::size_t n = particles.size();
+  if (n > 0 && *std::max_element(particles.radius.begin(), particles.radius.end()) > largest_radius_)
+    throw std::invalid_argument("void fraction: a sphere is larger than the largest of the scene's species");
   cell_.resize(n * stride_);
   share_.resize(n * stride_);
   count_.resize(n);

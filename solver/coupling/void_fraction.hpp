@@ -15,7 +15,7 @@ namespace slfb::coupling {
 /// what one phase loses the other gains. Sphere i has `count(i)` of them at `cells(i)` and `shares(i)`.
 class VolumeShares {
  public:
-  /// Spheres must not be larger than `largest_radius` [m].
+  /// Spheres must not be larger than `largest_radius` [m]; update() throws std::invalid_argument if one is.
   VolumeShares(VoidFractionScheme scheme, int meshing_pieces, const fluid::ColumnGrid& grid, double largest_radius);
 
   void update(const dem::Particles& particles, int threads);
@@ -88,6 +88,7 @@ class VolumeShares {
 
   VoidFractionScheme scheme_;
   const fluid::ColumnGrid& grid_;
+  double largest_radius_;
   std::array<Axis, 3> axis_;
   std::size_t stride_ = 1;
   std::vector<std::array<double, 3>> pieces_;

@@ -237,11 +237,11 @@ void Engine::pack() {
     const std::size_t s = slot_of_[i];
     const Vec3 x = load(particles.position, i), v = load(particles.velocity, i),
                w = load(particles.angular_velocity, i);
-    const double inverse_mass = 1.0 / particles.mass[i];
+    const double inverse_mass = 1.0 / particles.inertial_mass(i);
     moved = moved || moved_by_caller(s);
     place_[s] = {x.x, x.y, x.z, particles.radius[i]};
     velocity_[s] = {v.x, v.y, v.z, inverse_mass};
-    spin_[s] = {w.x, w.y, w.z, inverse_mass / (0.4 * particles.radius[i] * particles.radius[i])};
+    spin_[s] = {w.x, w.y, w.z, 1.0 / particles.inertia(i)};
     constant_[s].set(inverse_mass * load(external_force, i));
     wall_lift_[s] = {};
   }
@@ -266,7 +266,7 @@ void Engine::unpack(std::int64_t steps) {
   for (std::size_t i = 0; i < particles.size(); ++i) {
     const std::size_t s = slot_of_[i];
     const Vec3 v = velocity_[s].vector();
-    const Vec3 gained = (particles.mass[i] * inverse_time) * (v - load(particles.velocity, i));
+    const Vec3 gained = (particles.inertial_mass(i) * inverse_time) * (v - load(particles.velocity, i));
     store(mean_solid_force_, i, gained - load(external_force, i));
     store(particles.position, i, place_[s].vector());
     store(particles.velocity, i, v);

@@ -28,12 +28,13 @@ struct VectorField {
 
 /// State and properties of all spheres, structure of arrays, SI units.
 struct Particles {
-  VectorField position;          ///< [m]
-  VectorField velocity;          ///< [m/s]
-  VectorField angular_velocity;  ///< [rad/s]
-  std::vector<double> radius;    ///< [m]
-  std::vector<double> mass;      ///< [kg]
-  std::vector<int> species;      ///< index into Scene::species
+  VectorField position;            ///< [m]
+  VectorField velocity;            ///< [m/s]
+  VectorField angular_velocity;    ///< [rad/s]
+  std::vector<double> radius;      ///< [m]
+  std::vector<double> mass;        ///< [kg]
+  std::vector<double> added_mass;  ///< of liquid that is accelerated with the sphere [kg]
+  std::vector<int> species;        ///< index into Scene::species
 
   [[nodiscard]] std::size_t size() const { return radius.size(); }
 
@@ -46,6 +47,7 @@ struct Particles {
     position.z[i] = centre[2];
     radius.push_back(sphere_radius);
     mass.push_back(density * volume_of(sphere_radius));
+    added_mass.push_back(0.0);
     species.push_back(species_index);
     return i;
   }
@@ -54,10 +56,13 @@ struct Particles {
     for (auto* field : {&position, &velocity, &angular_velocity}) field->erase(i);
     radius.erase(radius.begin() + static_cast<std::ptrdiff_t>(i));
     mass.erase(mass.begin() + static_cast<std::ptrdiff_t>(i));
+    added_mass.erase(added_mass.begin() + static_cast<std::ptrdiff_t>(i));
     species.erase(species.begin() + static_cast<std::ptrdiff_t>(i));
   }
 
   [[nodiscard]] double volume(std::size_t i) const { return volume_of(radius[i]); }
+  /// What resists acceleration along a line [kg].
+  [[nodiscard]] double inertial_mass(std::size_t i) const { return mass[i] + added_mass[i]; }
   /// Moment of inertia of a solid sphere, 2/5 m r² [kg m²].
   [[nodiscard]] double inertia(std::size_t i) const { return 0.4 * mass[i] * radius[i] * radius[i]; }
 

@@ -167,6 +167,11 @@ void describe(Visitor& visitor, Scene& scene) {
     visitor.integer("meshing_pieces", coupling.meshing_pieces, one_to_a_million, optional);
     visitor.choice("exchange", coupling.exchange, exchanges, optional);
     visitor.choice("interpolation", coupling.interpolation, interpolations, optional);
+    visitor.number("added_mass", coupling.added_mass, u::ratio, not_negative, optional);
+    visitor.boolean("saffman_lift", coupling.saffman_lift, optional);
+    visitor.boolean("magnus_lift", coupling.magnus_lift, optional);
+    visitor.boolean("basset_history", coupling.basset_history, optional);
+    visitor.boolean("disturbance_correction", coupling.disturbance_correction, optional);
     visitor.number("smoothing_length", coupling.smoothing_length, u::length, not_negative, optional);
   });
   visitor.section("outlet", [&] { visitor.choice("particles", scene.outlet.rule, outlet_rules, optional); });

@@ -1,0 +1,126 @@
+#include "solver/coupling/further_forces.hpp"
+
+#include <algorithm>
+
+#include "solver/coupling/forces/added_mass.hpp"
+#include "solver/coupling/forces/magnus_lift.hpp"
+#include "solver/coupling/forces/saffman_lift.hpp"
+
+namespace slfb::coupling {
+namespace {
+
+dem::Vec3 at(const dem::VectorField& field, std::size_t i) { return {field.x[i], field.y[i], field.z[i]}; }
+
+}  // namespace
+
+FurtherForces::FurtherForces(const Scene& scene, double time_step)
+    : coupling_(scene.coupling),
+      liquid_{scene.liquid.density, scene.liquid.viscosity},
+      time_step_(time_step),
+      any_(coupling_.added_mass > 0.0 || coupling_.saffman_lift || coupling_.magnus_lift || coupling_.basset_history ||
+           coupling_.disturbance_correction),
+      disturbance_(liquid_) {
+  if (coupling_.basset_history) history_.emplace(time_step);
+}
+
+void FurtherForces::start_step(dem::Particles& particles, const std::array<std::vector<double>, 3>& liquid_velocity) {
+  liquid_before_.swap(liquid_now_);
+  sphere_before_.swap(sphere_now_);
+  const std::size_t known = sphere_before_.size(), n = particles.size();
+  liquid_now_.resize(n);
+  sphere_now_.resize(n);
+  for (std::size_t i = 0; i < n; ++i) {
+    liquid_now_[i] = {liquid_velocity[0][i], liquid_velocity[1][i], liquid_velocity[2][i]};
+    sphere_now_[i] = at(particles.velocity, i);
+    particles.added_mass[i] = AddedMass{coupling_.added_mass, liquid_.density, particles.volume(i)}.inertia();
+  }
+  // A new sphere has no past: its liquid and itself have not accelerated.
+  for (std::size_t i = known; i < n; ++i) {
+    liquid_before_.push_back(liquid_now_[i]);
+    sphere_before_.push_back(sphere_now_[i]);
+  }
+  self_induced_.resize(n);
+  if (!history_) return;
+  for (std::size_t i = 0; i < history_->size(); ++i) history_->advance(i, liquid_now_[i] - sphere_now_[i]);
+  if (history_->size() > 0) history_->end_step();
+  for (std::size_t i = history_->size(); i < n; ++i) history_->add(liquid_now_[i] - sphere_now_[i]);
+}
+
+void FurtherForces::remove(std::size_t i) {
+  if (i >= sphere_now_.size()) return;
+  for (auto* vectors : {&self_induced_, &liquid_before_, &sphere_before_, &liquid_now_, &sphere_now_})
+    if (i < vectors->size()) vectors->erase(vectors->begin() + static_cast<std::ptrdiff_t>(i));
+  if (history_) history_->remove(i);
+}
+
+FurtherForces::Effect FurtherForces::effect(const dem::Particles& particles, std::size_t i,
+                                            const Surroundings& surroundings) const {
+  const double diameter = 2.0 * particles.radius[i];
+  const dem::Vec3 sphere = sphere_now_[i], slip = surroundings.velocity - sphere;
+  Effect effect;
+  if (coupling_.saffman_lift) effect.force = effect.force + mei_lift(slip, surroundings.vorticity(), diameter, liquid_);
+  if (coupling_.magnus_lift)
+    effect.force = effect.force + oesterle_bui_dinh_lift(
+                                      relative_rotation(surroundings.vorticity(), at(particles.angular_velocity, i)),
+                                      slip, diameter, liquid_);
+  if (history_) {
+    const double coefficient = basset_coefficient(diameter, liquid_);
+    effect.force = effect.force + coefficient * history_->memory(i);
+    effect.coefficient = coefficient * history_->weight();
+  }
+  effect.reaction = -1.0 * effect.force;
+  if (coupling_.added_mass > 0.0) {
+    const AddedMass added{coupling_.added_mass, liquid_.density, particles.volume(i)};
+    // Along the liquid's own way: what changed along the sphere's, and the slip's convection.
+    const dem::Vec3 convection{dot(slip, surroundings.gradient[0]), dot(slip, surroundings.gradient[1]),
+                               dot(slip, surroundings.gradient[2])};
+    const dem::Vec3 force =
+        added.force_of_liquid((1.0 / time_step_) * (liquid_now_[i] - liquid_before_[i]) + convection);
+    effect.force = effect.force + force;
+    effect.reaction = effect.reaction - force + (added.inertia() / time_step_) * (sphere - sphere_before_[i]);
+  }
+  return effect;
+}
+
+dem::Vec3 FurtherForces::turned(const dem::Particles& particles, std::size_t i,
+                                const Surroundings& surroundings) const {
+  const dem::Vec3 rotation = relative_rotation(surroundings.vorticity(), at(particles.angular_velocity, i));
+  const double turning = norm(rotation);
+  if (!coupling_.magnus_lift || turning == 0.0) return {};
+  const dem::Vec3 torque = viscous_torque(rotation, 2.0 * particles.radius[i], liquid_);
+  return (time_step_ / (particles.inertia(i) + time_step_ * norm(torque) / turning)) * torque;
+}
+
+void FurtherForces::disturb(std::size_t i, dem::Vec3 force_on_liquid, double concentration, double voidage,
+                            double slip) {
+  self_induced_[i] = disturbance_.advance(self_induced_[i], force_on_liquid, concentration, voidage, slip, time_step_);
+}
+
+std::vector<double> FurtherForces::state() const {
+  std::vector<double> state{static_cast<double>(sphere_now_.size())};
+  for (const auto* vectors : {&self_induced_, &liquid_now_, &sphere_now_})
+    for (const dem::Vec3& v : *vectors) state.insert(state.end(), {v.x, v.y, v.z});
+  if (history_) {
+    const BassetHistory::State history = history_->state();
+    state.push_back(static_cast<double>(history.newest));
+    state.insert(state.end(), history.spheres.begin(), history.spheres.end());
+  }
+  return state;
+}
+
+void FurtherForces::restore(const std::vector<double>& state) {
+  const auto n = static_cast<std::size_t>(state.at(0));
+  std::size_t next = 1;
+  for (auto* vectors : {&self_induced_, &liquid_now_, &sphere_now_}) {
+    vectors->resize(n);
+    for (dem::Vec3& v : *vectors) {
+      v = {state.at(next), state.at(next + 1), state.at(next + 2)};
+      next += 3;
+    }
+  }
+  if (!history_) return;
+  const auto newest = static_cast<std::size_t>(state.at(next));
+  history_->restore({{state.begin() + static_cast<std::ptrdiff_t>(next) + 1, state.end()}, newest});
+}
+
+}  // namespace slfb::coupling

@@ -1,0 +1,77 @@
+#pragma once
+
+#include <array>
+#include <optional>
+#include <vector>
+
+#include "correlations/materials.hpp"
+#include "solver/coupling/forces/basset_history.hpp"
+#include "solver/coupling/forces/disturbance_correction.hpp"
+#include "solver/dem/particles.hpp"
+#include "solver/dem/vec3.hpp"
+#include "solver/scene/scene.hpp"
+
+namespace slfb::coupling {
+
+/// The forces beyond drag, pressure gradient and buoyancy that a scene switches on, and what they remember of each
+/// sphere: added mass, Saffman's and Magnus's lift, Basset's history force, and the correction of the slip by the
+/// sphere's own disturbance.
+///
+/// All but the history's newest part, which is linear in the slip, are taken from the start of the liquid step as
+/// constant forces over it, and leave the liquid as the same impulse. The part of the added mass that resists the
+/// sphere's own acceleration is an inertia (dem::Particles::added_mass); the liquid receives it one step late.
+class FurtherForces {
+ public:
+  /// Null-like where the scene asks for none: see any().
+  FurtherForces(const Scene& scene, double time_step);
+
+  [[nodiscard]] bool any() const { return any_; }
+  [[nodiscard]] bool corrects_disturbance() const { return coupling_.disturbance_correction; }
+  /// Whether gradients of the liquid's velocity are needed.
+  [[nodiscard]] bool need_gradients() const {
+    return coupling_.saffman_lift || coupling_.magnus_lift || coupling_.added_mass > 0.0;
+  }
+
+  /// Makes room for new spheres, which start from their present slip, and tells the spheres their added mass.
+  void start_step(dem::Particles& particles, const std::array<std::vector<double>, 3>& liquid_velocity);
+  void remove(std::size_t i);
+
+  /// What the liquid is at one sphere.
+  struct Surroundings {
+    dem::Vec3 velocity;                   ///< [m/s]
+    std::array<dem::Vec3, 3> gradient{};  ///< ∇u_a per component [1/s]
+    [[nodiscard]] dem::Vec3 vorticity() const {
+      return {gradient[2].y - gradient[1].z, gradient[0].z - gradient[2].x, gradient[1].x - gradient[0].y};
+    }
+  };
+  struct Effect {
+    dem::Vec3 force;           ///< on the sphere over the coming step [N]
+    dem::Vec3 reaction;        ///< on the liquid over the coming step [N]
+    double coefficient = 0.0;  ///< of the part that is linear in the slip, beside the drag's K [kg/s]
+  };
+  [[nodiscard]] Effect effect(const dem::Particles& particles, std::size_t i, const Surroundings& liquid) const;
+  /// Change of the spin over the coming step by the liquid's torque, implicit in the spin [rad/s].
+  [[nodiscard]] dem::Vec3 turned(const dem::Particles& particles, std::size_t i, const Surroundings& liquid) const;
+
+  /// Velocity that the sphere's own force has given to the liquid it reads [m/s].
+  [[nodiscard]] dem::Vec3 self_induced(std::size_t i) const { return self_induced_[i]; }
+  /// After the step: the force of sphere i on the liquid acts on what it will read.
+  void disturb(std::size_t i, dem::Vec3 force_on_liquid, double concentration, double voidage, double slip);
+
+  /// All that the next step depends on, for checkpoints.
+  [[nodiscard]] std::vector<double> state() const;
+  void restore(const std::vector<double>& state);
+
+ private:
+  Coupling coupling_;
+  LiquidProperties liquid_;
+  double time_step_;
+  bool any_;
+  SelfInducedVelocity disturbance_;
+  std::optional<BassetHistory> history_;
+  std::vector<dem::Vec3> self_induced_;
+  std::vector<dem::Vec3> liquid_before_, sphere_before_;  ///< velocities at the start of the last step [m/s]
+  std::vector<dem::Vec3> liquid_now_, sphere_now_;        ///< and at its end
+};
+
+}  // namespace slfb::coupling
