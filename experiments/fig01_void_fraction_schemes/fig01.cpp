@@ -131,6 +131,8 @@ DataTable pareto_front(std::vector<Outcome> outcomes) {
   return front;
 }
 
+constexpr std::size_t first_style = 101;  ///< gnuplot's line styles of the methods begin here
+
 using Places = std::vector<std::size_t>;  ///< in methods()
 
 /// Plot elements of the methods `shown`; those of `named` are in the key.
@@ -138,8 +140,8 @@ std::string curves(const DataTable& table, const char* style, const Places& show
   std::string plot;
   for (const std::size_t m : shown) {
     const bool in_key = std::ranges::find(named, m) != named.end();
-    plot += fmt::format("{}'{}.csv' skip 1 using 1:{} with {} {} {}", plot.empty() ? "" : ", ", table.name, m + 2,
-                        style, looks[m].line, in_key ? "title " + gnuplot_text(methods()[m].name) : "notitle");
+    plot += fmt::format("{}'{}.csv' skip 1 using 1:{} with {} linestyle {} {}", plot.empty() ? "" : ", ", table.name,
+                        m + 2, style, first_style + m, in_key ? "title " + gnuplot_text(methods()[m].name) : "notitle");
   }
   return plot;
 }
@@ -171,15 +173,16 @@ FigureOutput draw(const FigureContext& context) {
       {fmt::format("CPU time on {} [ns per sphere]", when), "root mean square error [-]", "largest error [-]"},
       {}};
   constexpr double lower_edge = 2e-4;  // where exact overlap stands, whose error is zero here
-  std::string labels, points;
+  std::string styles, labels, points;
   for (std::size_t m = 0; m < outcomes.size(); ++m) {
     const Outcome& outcome = outcomes[m];
     cost.rows.push_back({outcome.nanoseconds, outcome.root_mean_square, outcome.largest});
+    styles += fmt::format("set style line {} {}\n", first_style + m, looks[m].line);
     labels += fmt::format("set label {} {} at {:.6g},{:.6g} {} font ',11'\n", m + 1, gnuplot_text(methods()[m].name),
                           outcome.nanoseconds, std::max(lower_edge, outcome.root_mean_square), looks[m].label);
-    points +=
-        fmt::format(", 'fig01_cost.csv' skip 1 every ::{0}::{0} using 1:($2 > lower ? $2 : lower) with points {1}", m,
-                    looks[m].line);
+    points += fmt::format(
+        ", 'fig01_cost.csv' skip 1 every ::{0}::{0} using 1:($2 > lower ? $2 : lower) with points linestyle {1}", m,
+        first_style + m);
   }
   for (const DataTable& table : {template_half(1214), mean, largest, cost, pareto_front(outcomes), crossing, rate})
     output.data.push_back(write_csv(table, context.out));
@@ -187,7 +190,7 @@ FigureOutput draw(const FigureContext& context) {
   const Places erring{0, 7, 8, 1, 2, 3, 4, 5}, meshing{1, 2, 3, 4, 5}, entering{0, 1, 2, 4, 7, 8, 6},
       changing{0, 2, 4, 7, 8, 6};
   const std::string commands = fmt::format(
-      "lower = {}\nset multiplot layout 2,3 margins 0.05,0.988,0.085,0.945 spacing 0.06,0.155\n"
+      "{}lower = {}\nset multiplot layout 2,3 margins 0.05,0.988,0.085,0.945 spacing 0.06,0.155\n"
       "set title 'template of 1214 pieces of equal volume'\nunset border\nunset tics\nunset key\nunset grid\n"
       "set size ratio -1\nset xrange [-1.1:1.1]\nset yrange [-1.1:1.1]\nset style fill solid 1 border rgb '#1b2a38'\n"
       "plot 'fig01_template.csv' skip 1 using 1:2:3:4 with circles linecolor rgb variable linewidth 0.4\n"
@@ -210,9 +213,9 @@ FigureOutput draw(const FigureContext& context) {
       "set title 'its rate of change'\nset ylabel 'rate of change per diameter of way [-]'\nset yrange [-0.15:5]\n"
       "unset key\nset label 51 'centroid: 100' at 0.03,4.7 font ',11' textcolor rgb second_variant\n"
       "plot {}\nunset multiplot\n",
-      lower_edge, curves(mean, "linespoints", erring, meshing), curves(largest, "linespoints", erring, {0, 7, 8}),
-      paper_cell, labels, points, outcomes.size(), curves(crossing, "lines", entering, entering),
-      curves(rate, "lines", changing, {}));
+      styles, lower_edge, curves(mean, "linespoints", erring, meshing),
+      curves(largest, "linespoints", erring, {0, 7, 8}), paper_cell, labels, points, outcomes.size(),
+      curves(crossing, "lines", entering, entering), curves(rate, "lines", changing, {}));
   draw_figure("fig01", commands, {1240, 720}, context.out);
   return output;
 }
