@@ -34,6 +34,7 @@ struct Grbavcic2009 {
                        : "Classification velocity, Grbavcic et al. (2009), Eq. 14 with the bed spheres",
       .equation =
           "0.75 C_D rho (V2 + U_L/e)^2/(d2 g) = rho_2 - rho_eff - rho_2 F_c/(m g), rho_eff = (1 - f) rho + f rho_M",
+      .equation_number = "Peng 2014, Eqs. 9, 10, 13-15",
       .source = "grbavcic2009",
       .convention = "V2 downwards in the laboratory; slip V2 + U_L/e; C_D of Brown & Lawler (2003) on the slip",
       .reynolds = {0.0, std::numeric_limits<double>::infinity()},
