@@ -21,7 +21,7 @@ struct EisfeldSchnitzlein2001 {
       .reynolds = {0.01, 17635.0},
       .voidage = {0.33, 0.88},
       .confidence = Confidence::recalled,
-      .note = "no single-sphere limit; without walls (r = 0) it is 154 and 1.321 in place of Ergun's 150 and 1.75"};
+      .note = "infinite without spheres; without walls (r = 0) it is 154 and 1.321 in place of Ergun's 150 and 1.75"};
 
   double diameter_ratio = 0.1;  ///< sphere over column diameter d/D [-]; 5 mm in 50 mm
 
@@ -31,9 +31,9 @@ struct EisfeldSchnitzlein2001 {
   Number operator()(SuspensionFlowOf<Number> flow) const {
     const double e = flow.voidage;
     const double s = 1.0 - e;
-    const double surface = 1.0 + 2.0 / 3.0 * diameter_ratio / s;
+    const double surface = s + 2.0 / 3.0 * diameter_ratio;  // A_w s
     const double root = 1.15 * diameter_ratio * diameter_ratio + 0.87;
-    return (154.0 * surface * surface * s + surface / (root * root) * flow.reynolds) / (18.0 * e * e);
+    return (154.0 * surface * surface + surface / (root * root) * flow.reynolds) / (18.0 * e * e * s);
   }
 };
 

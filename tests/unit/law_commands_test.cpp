@@ -1,16 +1,12 @@
-// The catalogue of laws and the two commands that show it.
+// The two commands that show the catalogue of laws.
 
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <fstream>
-#include <iterator>
-#include <set>
 #include <string>
 #include <vector>
 
 #include "correlations/catalogue.hpp"
-#include "correlations/drag/drag_laws.hpp"
 #include "experiments/commands/laws.hpp"
 
 namespace slfb {
@@ -40,48 +36,6 @@ std::string error_of(const std::vector<std::string>& words) {
     return error.what();
   }
   return "";
-}
-
-TEST(Catalogue, EveryLawIsDescribedAndNamedOnce) {
-  std::set<std::string_view> names;
-  for (const CatalogueEntry& entry : catalogue()) {
-    const LawInfo& info = entry.info;
-    EXPECT_TRUE(names.insert(info.name).second) << info.name << " is there twice";
-    EXPECT_EQ(info.name.find_first_not_of("abcdefghijklmnopqrstuvwxyz0123456789-"), std::string_view::npos);
-    EXPECT_FALSE(info.title.empty() || info.equation.empty() || info.convention.empty()) << info.name;
-    EXPECT_LE(info.reynolds.lower, info.reynolds.upper) << info.name;
-    EXPECT_LE(info.voidage.lower, info.voidage.upper) << info.name;
-    EXPECT_EQ(&find_law(info.name), &entry);
-  }
-}
-
-TEST(Catalogue, HoldsEveryDragLaw) {
-  for_each_law<drag::DragLaws>([](const auto& law) { EXPECT_EQ(find_law(law.info.name).info.kind, LawKind::drag); });
-}
-
-TEST(Catalogue, EverySourceIsInTheBibliography) {
-  std::ifstream file(SLFB_SOURCE_DIR "/reference-data/references.bib");
-  ASSERT_TRUE(file);
-  const std::string bibliography{std::istreambuf_iterator<char>(file), {}};
-  for (const CatalogueEntry& entry : catalogue()) {
-    EXPECT_NE(bibliography.find("{" + std::string(entry.info.source) + ","), std::string::npos)
-        << entry.info.name << " cites " << entry.info.source;
-  }
-}
-
-TEST(Catalogue, EveryLawAnswersTheDefaultArgumentsWithFiniteNumbers) {
-  for (const CatalogueEntry& entry : catalogue()) {
-    const LawAnswer evaluation = entry.evaluate(LawArguments{});
-    EXPECT_FALSE(evaluation.quantities.empty()) << entry.info.name;
-    for (const Quantity& quantity : evaluation.quantities) {
-      EXPECT_TRUE(std::isfinite(quantity.value)) << entry.info.name << ": " << quantity.name;
-    }
-  }
-}
-
-TEST(Catalogue, ReconstructionsSaySo) {
-  EXPECT_EQ(find_law("joshi-1983-reconstruction").info.confidence, Confidence::reconstructed);
-  EXPECT_NE(find_law("joshi-1983-reconstruction").info.title.find("reconstruction"), std::string_view::npos);
 }
 
 TEST(LawsCommand, WritesTheFixedJsonShape) {
