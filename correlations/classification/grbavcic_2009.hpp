@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <limits>
 
 #include "correlations/collision/collision_force/grbavcic_2009.hpp"
 #include "correlations/drag/single_sphere/brown_lawler_2003.hpp"
@@ -56,9 +57,10 @@ struct Grbavcic2009 {
 
   /// The lowest and highest V_2 over f = 0…1 in steps of 0.05.
   static VelocityBand band(const ForeignSphereInBed& state) {
-    VelocityBand band{Grbavcic2009{.transition = 0.0}(state), Grbavcic2009{.transition = 0.0}(state)};
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    VelocityBand band{infinity, -infinity};
     constexpr int steps = 20;
-    for (int i = 1; i <= steps; ++i) {
+    for (int i = 0; i <= steps; ++i) {
       const double velocity = Grbavcic2009{.transition = static_cast<double>(i) / steps}(state);
       band.lower = std::min(band.lower, velocity);
       band.upper = std::max(band.upper, velocity);

@@ -246,7 +246,7 @@ SPECIAL = {
     'hill-koch-ladd-2001': [(e, re) for e in (0.597, 0.603, 0.8995, 0.9005, 0.9043, 0.9051, 0.98995, 0.99005)
                             for re in (0.5, 100.0)] +
                            # and R around the onset of the large-Re form
-                           [(e, 2 * f * hkl_parts(1 - e)[4]) for e in (0.7, 0.93, 0.992) for f in (0.995, 1.005)],
+                           [(e, 2 * f * hkl_parts(1 - e)[4]) for e in (0.7, 0.93, 0.992) for f in (0.995, 0.99999, 1.00001, 1.005)],
 }
 
 
@@ -485,7 +485,7 @@ def main():
     water = {name: BED[name] for name in ('diameter', 'density', 'viscosity')}
     for law, beta in DRAG.items():
         for e, re in MIDDLE + SPECIAL.get(law, []):
-            re = float(f'{re:.6g}')
+            re = float(f'{re:.9g}')
             d, rho, mu = water['diameter'], water['density'], water['viscosity']
             w = re * mu / (rho * e * d)
             row(law, dict(voidage=e, re=re), 'beta', beta(e, w, d, rho, mu))
@@ -524,6 +524,9 @@ def main():
            dict(voidage=0.55, superficial_velocity=0.05, diameter=3e-3, foreign_diameter=4e-3, foreign_density=4000.0,
                 density=1800.0, viscosity=1.8e-3)]
     rows(CLASSIFICATION, 'settling_velocity', bed)
+    # A fine foreign sphere, whose exponent would depend on walls.
+    rows({law: CLASSIFICATION[law] for law in ('kennedy-bretton-1966', 'galvin-1999')}, 'settling_velocity',
+         [dict(voidage=0.6, superficial_velocity=0.01, foreign_diameter=5e-4, foreign_density=2600.0)])
     rows({law: CLASSIFICATION[law] for law in ('grbavcic-2009', 'grbavcic-2009-bed')}, 'settling_velocity',
          [dict(voidage=0.5, superficial_velocity=0.07, transition=f) for f in (0.0, 0.3, 0.9)])
     rows(FORCE, 'force_over_weight', [dict(voidage=0.46), dict(voidage=0.7, settling_velocity=0.25, diameter=3e-3)])
