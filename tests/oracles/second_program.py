@@ -448,7 +448,7 @@ FREQUENCY = {
                                         maxwell(a['kinetic_energy'], a['kinetic_energy'])) * lun_savage(1 - a['voidage']),
     'gidaspow-1994-collision-frequency': lambda a: frequency(a, maxwell(a['kinetic_energy'], a['kinetic_energy'])) *
                                                    lun_savage(1 - a['voidage']),
-    'gidaspow-1994-unequal-collision-frequency':
+    'gidaspow-1994-unequal-fluctuations':
         lambda a: frequency(a, maxwell(a['kinetic_energy'], a['foreign_kinetic_energy'])) * lun_savage(1 - a['voidage']),
     'gjaltema-1997': lambda a: frequency(a, a['settling_velocity']),
 }

@@ -16,7 +16,7 @@ namespace slfb::collision {
 /// Range: Maxwellian velocities, no drift. For Θ_2 = Θ_1 it is Eq. 2 of Peng 2014. Confidence: derived.
 struct Gidaspow1994Unequal {
   static constexpr LawInfo info{
-      .name = "gidaspow-1994-unequal-collision-frequency",
+      .name = "gidaspow-1994-unequal-fluctuations",
       .kind = LawKind::collision_frequency,
       .title = "Collision frequency of unlike spheres with unlike fluctuations, kinetic theory",
       .equation = "f = 2 n1 d12^2 g0 sqrt(2 pi (T1 + T2)), d12 = (d1 + d2)/2, T = 2/3 q2",
