@@ -22,7 +22,7 @@ namespace {
 constexpr std::array arguments{
     Argument{"voidage", "e", "1", "liquid volume fraction", &LawArguments::voidage, false, 1.0},
     Argument{"re", "Re", "1", "Reynolds number as the law defines it", &LawArguments::reynolds, true},
-    Argument{"diameter", "d, d1", "m", "diameter of the (bed) particle", &LawArguments::diameter},
+    Argument{"diameter", "d", "m", "diameter of the (bed) particle, d1 beside a foreign one", &LawArguments::diameter},
     Argument{"particle_density", "rho_P", "kg/m3", "density of the (bed) particle", &LawArguments::particle_density},
     Argument{"foreign_diameter", "d2", "m", "diameter of the foreign particle", &LawArguments::foreign_diameter},
     Argument{"foreign_density", "rho_2", "kg/m3", "density of the foreign particle", &LawArguments::foreign_density},

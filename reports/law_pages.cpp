@@ -83,10 +83,19 @@ std::string page(const std::string& title, const std::string& body) {
       title, style, body);
 }
 
-/// What the picture of a law holds fixed: a voidage inside the law's range, the paper's bed otherwise.
-LawArguments drawn_arguments(const LawInfo& info) {
+/// What a picture holds fixed: the paper's bed, for the drag a voidage in the middle of an expanded one.
+LawArguments drawn_arguments(LawKind kind) {
   LawArguments arguments;
-  if (info.kind == LawKind::drag) arguments.voidage = std::clamp(0.6, info.voidage.lower, info.voidage.upper);
+  if (kind == LawKind::drag) arguments.voidage = 0.7;
+  return arguments;
+}
+
+/// The same with a voidage inside the range of the law.
+LawArguments drawn_arguments(const LawInfo& info) {
+  LawArguments arguments = drawn_arguments(info.kind);
+  if (info.kind == LawKind::drag) {
+    arguments.voidage = std::clamp(arguments.voidage, info.voidage.lower, info.voidage.upper);
+  }
   return arguments;
 }
 
@@ -97,9 +106,9 @@ std::string held_arguments(const LawInfo& info) {
   std::string text;
   for (const Argument* argument : arguments_of(info.kind)) {
     if (arguments.*(argument->value) != moved.*(argument->value)) continue;
-    text += fmt::format("{}{} {}{}", text.empty() ? "" : ", ", escape(argument->symbol),
-                        readable_number(arguments.*(argument->value)),
-                        argument->unit == "1" ? "" : " " + escape(argument->unit));
+    const std::string unit = argument->unit == "1" ? "" : fmt::format(" {}", escape(argument->unit));
+    text += fmt::format("{}{} = {}{}", text.empty() ? "" : ", ", escape(argument->symbol),
+                        readable_number(arguments.*(argument->value)), unit);
   }
   return text;
 }
@@ -193,6 +202,14 @@ Distance distance(const CatalogueEntry& variant, const CatalogueEntry& law) {
   return found;
 }
 
+std::vector<const CatalogueEntry*> first_of_each_kind() {
+  std::vector<const CatalogueEntry*> found;
+  for (const CatalogueEntry& entry : catalogue()) {
+    if (found.empty() || found.back()->info.kind != entry.info.kind) found.push_back(&entry);
+  }
+  return found;
+}
+
 std::string variants_page() {
   std::string html =
       "<p>Sources that print different formulas under one name, and how far apart they are: the ratio of the variant "
@@ -219,7 +236,19 @@ std::string variants_page() {
     }
     html += "</tbody></table></div>\n" + picture(law.info) + "</section>\n";
   }
-  return page("Laws that sources print differently", html);
+  html +=
+      "<section id=\"families\"><h2>All laws of each kind</h2>\n<p>How far apart the laws themselves are, on the bed "
+      "of the paper unless the axis says otherwise, also where a law is outside its range.</p>\n";
+  for (const CatalogueEntry* law : first_of_each_kind()) {
+    html += fmt::format(
+        "<article class=\"card figure wide\" id=\"{0}\"><div class=\"picture\"><img src=\"family-{0}.svg\" alt=\"all "
+        "laws of the kind {0}\" loading=\"lazy\" /></div><div class=\"words\"><h3>{0}</h3><div class=\"files\"><a "
+        "href=\"family-{0}.svg\">svg</a><a href=\"family-{0}.csv\">csv</a><a href=\"family-{0}.gp\">gp</a></div>"
+        "</div></article>\n",
+        escape(to_string(law->info.kind)));
+  }
+  html += "</section>\n";
+  return page("How far apart the sources are", html);
 }
 
 }  // namespace
@@ -236,6 +265,10 @@ void write_law_pages(const fs::path& folder) {
     write_file(laws / (std::string(info.name) + ".html"),
                page(escape(info.title),
                     facts(info, bibliography) + picture(info) + symbols(info.kind) + check_table(entry, checks)));
+  }
+  for (const CatalogueEntry* law : first_of_each_kind()) {
+    const LawInfo& info = law->info;
+    draw_family(info.kind, drawn_arguments(info.kind), fmt::format("family-{}", to_string(info.kind)), laws, {"svg"});
   }
   write_file(laws / "variants.html", variants_page());
 }

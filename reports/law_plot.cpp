@@ -123,7 +123,7 @@ void draw_family(LawKind kind, const LawArguments& arguments, const std::string&
   }
   write_csv(table, folder);
   const int height = 380 + 22 * static_cast<int>((number + 1) / 2);
-  draw_figure(id, axes(way) + "set key below left maxcols 2 Left reverse font ',11'\nplot " + lines + "\n",
+  draw_figure(id, axes(way) + "set key outside bottom center maxcols 2 Left reverse font ',11'\nplot " + lines + "\n",
               {680, height}, folder, formats);
 }
 
