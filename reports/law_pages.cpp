@@ -78,8 +78,9 @@ std::string page(const std::string& title, const std::string& body) {
   return fmt::format(
       "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\" />\n<meta name=\"viewport\" "
       "content=\"width=device-width, initial-scale=1\" />\n<title>{0}</title>\n<style>\n{1}</style>\n</head>\n<body>\n"
-      "<nav><div><a href=\"../index.html#laws\">Report: laws</a><a href=\"variants.html\">Variants by source</a></div>"
-      "</nav>\n<main>\n<h1>{0}</h1>\n{2}</main>\n</body>\n</html>\n",
+      "<header class=\"masthead\"><div>\n<h1>{0}</h1>\n</div></header>\n<nav><div><a "
+      "href=\"../index.html#laws\">Report: "
+      "laws</a><a href=\"variants.html\">Variants by source</a></div></nav>\n<main>\n{2}</main>\n</body>\n</html>\n",
       title, style, body);
 }
 
@@ -123,10 +124,9 @@ std::string picture(const LawInfo& info) {
 }
 
 std::string facts(const LawInfo& info, const std::string& bibliography) {
-  std::string html = "<div class=\"card scroll\"><table class=\"stack\"><tbody>\n";
+  std::string html = "<div class=\"card scroll\"><table><tbody>\n";
   const auto row = [&](const char* name, const std::string& text) {
-    if (!text.empty())
-      html += fmt::format("<tr><td class=\"lead\">{0}</td><td data-label=\"{0}\">{1}</td></tr>\n", name, text);
+    if (!text.empty()) html += fmt::format("<tr><td>{}</td><td>{}</td></tr>\n", name, text);
   };
   row("Equation", "<code>" + escape(info.equation) + "</code>");
   row("Its number",

@@ -29,9 +29,11 @@ std::vector<const CatalogueEntry*> family(LawKind kind) {
 }
 
 std::string axes(const Sweep& sweep) {
-  std::string commands =
-      fmt::format("set xlabel {}\nset ylabel {}\nset xrange [{}:{}]\n", gnuplot_text(std::string(sweep.x.title)),
-                  gnuplot_text(std::string(sweep.y.title)), sweep.lower, sweep.upper);
+  // Room for the title of the y axis left of "10000".
+  std::string commands = "set lmargin 12\n";
+  commands += fmt::format("set xlabel {} offset 0,0.6\n", gnuplot_text(std::string(sweep.x.title)));
+  commands += fmt::format("set ylabel {}\n", gnuplot_text(std::string(sweep.y.title)));
+  commands += fmt::format("set xrange [{}:{}]\n", sweep.lower, sweep.upper);
   if (sweep.x.logarithmic) commands += "set logscale x\nset format x '10^{%T}'\n";
   if (sweep.y.logarithmic) commands += "set logscale y\n";
   return commands;
@@ -123,7 +125,7 @@ void draw_family(LawKind kind, const LawArguments& arguments, const std::string&
   }
   write_csv(table, folder);
   const int height = 380 + 22 * static_cast<int>((number + 1) / 2);
-  draw_figure(id, axes(way) + "set key outside bottom center maxcols 2 Left reverse font ',11'\nplot " + lines + "\n",
+  draw_figure(id, axes(way) + "set key below left maxcols 2 Left reverse font ',11'\nplot " + lines + "\n",
               {680, height}, folder, formats);
 }
 
