@@ -38,14 +38,18 @@ enum class LawKind {
 struct LawInfo {
   std::string_view name;  ///< "author-year", lower case, as on the command line
   LawKind kind;
-  std::string_view title;       ///< one line for lists
-  std::string_view equation;    ///< the formula in plain text
-  std::string_view source;      ///< key in reference-data/references.bib
-  std::string_view convention;  ///< which Reynolds number, which velocity, model A or B
-  Range reynolds;               ///< range of the Reynolds number named in `convention` [-]
-  Range voidage;                ///< range of the voidage [-]
+  std::string_view title;                 ///< one line for lists
+  std::string_view equation;              ///< the formula in plain text
+  std::string_view equation_number = "";  ///< its number in the source; empty where the source is not at hand
+  std::string_view source;                ///< key in reference-data/references.bib
+  std::string_view convention;            ///< which Reynolds number, which velocity, model A or B
+  Range reynolds;                         ///< range of the Reynolds number named in `convention` [-]
+  Range voidage;                          ///< range of the voidage [-]
   Confidence confidence;
   std::string_view note = "";
+  std::string_view variant_of = "";  ///< the law that other sources print under the same name; empty for that law
+  Range size_ratio = {};  ///< of d/D where a law takes a column, of d_2/d_1 where it takes a foreign sphere [-]
+  Range stokes = {};      ///< of the Stokes number ρ_P √(q_p²) d / (9 μ) of the foreign sphere [-]
 };
 
 }  // namespace slfb

@@ -71,9 +71,9 @@ std::pair<std::string, int> run_gnuplot(const std::string& script, const fs::pat
   return {message, WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status)};
 }
 
-/// The script draws itself once per format: loaded without `format` it loads itself three times, then leaves.
+/// The script draws itself once per format: loaded without `format` it loads itself for each, then leaves.
 constexpr const char* prologue = R"(# {id}: redraw it with `gnuplot {id}.gp` in the folder of its CSV files.
-if (!exists("format")) {{ do for [format in "svg png pdf"] {{ load '{id}.gp' }}; exit }}
+if (!exists("format")) {{ do for [format in "{formats}"] {{ load '{id}.gp' }}; exit }}
 reset
 if (format eq 'svg') {{ set terminal svg size {width},{height} dynamic enhanced font 'sans-serif,15' background '#ffffff' }}
 if (format eq 'png') {{ set terminal pngcairo size {png_width},{png_height} enhanced font 'DejaVu Sans,15' fontscale 1.5 linewidth 2 pointscale 3 background '#ffffff' }}
@@ -101,20 +101,22 @@ fs::path write_csv(const DataTable& table, const fs::path& folder) {
   return file;
 }
 
-void draw_figure(const std::string& id, const std::string& commands, const Canvas& canvas, const fs::path& folder) {
+void draw_figure(const std::string& id, const std::string& commands, const Canvas& canvas, const fs::path& folder,
+                 const std::vector<std::string>& formats) {
   const std::string head =
-      fmt::format(prologue, fmt::arg("id", id), fmt::arg("width", canvas.width), fmt::arg("height", canvas.height),
+      fmt::format(prologue, fmt::arg("id", id), fmt::arg("formats", fmt::join(formats, " ")),
+                  fmt::arg("width", canvas.width), fmt::arg("height", canvas.height),
                   fmt::arg("png_width", 2 * canvas.width), fmt::arg("png_height", 2 * canvas.height),
                   fmt::arg("pdf_width", canvas.width / 96.0), fmt::arg("pdf_height", canvas.height / 96.0));
   const std::string style = read_file(fs::path(SLFB_SOURCE_DIR) / "reports" / "style.gp");
   const std::string script = id + ".gp";
   write_file(folder / script, head + "\n" + style + "\n" + commands + "unset output\n");
-  for (const char* format : {"svg", "png", "pdf"}) fs::remove(folder / (id + "." + format));
+  for (const std::string& format : formats) fs::remove(folder / (id + "." + format));
   const auto [message, status] = run_gnuplot(script, folder);
   if (status != 0)
     throw std::runtime_error(
         fmt::format("gnuplot failed on {} (exit status {}):\n{}", (folder / script).string(), status, message));
-  for (const char* format : {"svg", "png", "pdf"}) {
+  for (const std::string& format : formats) {
     const fs::path picture = folder / (id + "." + format);
     std::error_code missing;
     if (fs::file_size(picture, missing) == 0 || missing)

@@ -25,12 +25,15 @@ std::string law_section() {
       "formula came to us: <i>read</i> in a source that quotes or implements the original, <i>recalled</i> as common "
       "knowledge of the field, <i>derived</i> or settled by a limit, or <i>reconstructed</i> as a labelled stand-in "
       "for "
-      "an original that is not at hand. <code>slfb law NAME</code> evaluates one.</p>\n"
+      "an original that is not at hand. <code>slfb law NAME</code> evaluates one; its page shows its symbols, its "
+      "curve and its check values. <a href=\"laws/variants.html\">Variants by source</a> shows how far apart sources "
+      "are that print different formulas under one name.</p>\n"
       "<div class=\"card scroll\"><table class=\"stack\">\n<thead><tr><th>Law</th><th>Kind</th><th>Formula and "
       "convention</th><th>Re</th><th>Voidage</th><th>Source</th><th>Known by</th></tr></thead>\n<tbody>\n");
   for (const auto& [info, evaluate] : catalogue()) {
     html += fmt::format(
-        "<tr id=\"law-{0}\"><td class=\"lead\">{1}<span class=\"id\">{0}</span></td><td data-label=\"Kind\">{2}</td>"
+        "<tr id=\"law-{0}\"><td class=\"lead\"><a href=\"laws/{0}.html\">{1}</a><span class=\"id\">{0}</span></td><td "
+        "data-label=\"Kind\">{2}</td>"
         "<td data-label=\"Formula\"><div><code>{3}</code><span class=\"id\">{4}{5}</span></div></td>"
         "<td data-label=\"Re\"><span class=\"number\">{6}</span></td><td data-label=\"Voidage\"><span "
         "class=\"number\">{7}"

@@ -15,6 +15,7 @@
 
 #include "experiments/measure.hpp"
 #include "reports/html.hpp"
+#include "reports/law_pages.hpp"
 #include "reports/law_section.hpp"
 
 namespace slfb {
@@ -356,6 +357,8 @@ void copy_figure(const FigureOutput& figure, const fs::path& from, const fs::pat
 void write_report(const ReportContents& contents, const fs::path& figures_folder, const fs::path& folder) {
   fs::create_directories(folder / "figures");
   for (const auto& figure : contents.figures) copy_figure(figure, figures_folder, folder / "figures");
+
+  write_law_pages(folder);
 
   const fs::path source = fs::path(SLFB_SOURCE_DIR) / "reports";
   std::string html = fmt::format(

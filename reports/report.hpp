@@ -19,9 +19,9 @@ struct ReportContents {
   const std::vector<Inconsistency>& inconsistencies;
 };
 
-/// Writes `folder`/index.html and copies every file of the figures from `figures_folder` to `folder`/figures, so that
-/// the report is one folder that can be moved, opened offline and read on a phone. Throws std::runtime_error naming
-/// the file that cannot be read or written.
+/// Writes `folder`/index.html and the pages of the laws, `folder`/laws, and copies every file of the figures from
+/// `figures_folder` to `folder`/figures, so that the report is one folder that can be moved, opened offline and read on
+/// a phone. Throws std::runtime_error naming the file that cannot be read or written.
 void write_report(const ReportContents& contents, const std::filesystem::path& figures_folder,
                   const std::filesystem::path& folder);
 

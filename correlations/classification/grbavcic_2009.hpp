@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <limits>
 
 #include "correlations/collision/collision_force/grbavcic_2009.hpp"
 #include "correlations/drag/single_sphere/brown_lawler_2003.hpp"
@@ -34,6 +35,7 @@ struct Grbavcic2009 {
                        : "Classification velocity, Grbavcic et al. (2009), Eq. 14 with the bed spheres",
       .equation =
           "0.75 C_D rho (V2 + U_L/e)^2/(d2 g) = rho_2 - rho_eff - rho_2 F_c/(m g), rho_eff = (1 - f) rho + f rho_M",
+      .equation_number = "Peng 2014, Eqs. 9, 10, 13-15",
       .source = "grbavcic2009",
       .convention = "V2 downwards in the laboratory; slip V2 + U_L/e; C_D of Brown & Lawler (2003) on the slip",
       .reynolds = {0.0, std::numeric_limits<double>::infinity()},
@@ -55,9 +57,10 @@ struct Grbavcic2009 {
 
   /// The lowest and highest V_2 over f = 0…1 in steps of 0.05.
   static VelocityBand band(const ForeignSphereInBed& state) {
-    VelocityBand band{Grbavcic2009{.transition = 0.0}(state), Grbavcic2009{.transition = 0.0}(state)};
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    VelocityBand band{infinity, -infinity};
     constexpr int steps = 20;
-    for (int i = 1; i <= steps; ++i) {
+    for (int i = 0; i <= steps; ++i) {
       const double velocity = Grbavcic2009{.transition = static_cast<double>(i) / steps}(state);
       band.lower = std::min(band.lower, velocity);
       band.upper = std::max(band.upper, velocity);

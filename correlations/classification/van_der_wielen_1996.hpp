@@ -21,6 +21,7 @@ struct VanDerWielen1996 {
       .kind = LawKind::classification,
       .title = "Classification velocity, van der Wielen et al. (1996), Peng Eqs. 9-12",
       .equation = "1 - rho_M/rho_2 - 0.75 C_D rho (V2 + U_L/e)^2/(d2 g rho_2) = 10.5 (d1/d2)^0.95 a V2",
+      .equation_number = "Peng 2014, Eqs. 9-12",
       .source = "vanderwielen1996",
       .convention = "V2 downwards in the laboratory; slip V2 + U_L/e; C_D of Brown & Lawler (2003) on the slip",
       .reynolds = {0.0, std::numeric_limits<double>::infinity()},

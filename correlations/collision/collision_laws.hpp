@@ -6,6 +6,7 @@
 #include "correlations/collision/collision_force/peng_2014.hpp"
 #include "correlations/collision/collision_force/van_der_wielen_1996.hpp"
 #include "correlations/collision/collision_frequency/gidaspow_1994.hpp"
+#include "correlations/collision/collision_frequency/gidaspow_1994_unequal.hpp"
 #include "correlations/collision/collision_frequency/gjaltema_1997.hpp"
 #include "correlations/collision/collision_frequency/simonin_1991.hpp"
 #include "correlations/collision/radial_distribution/carnahan_starling_1969.hpp"
@@ -30,8 +31,9 @@ using RadialDistributionLaws = std::tuple<LunSavage1986,         //
                                           Lebowitz1964>;
 
 /// Laws for the collision frequency of one sphere.
-using CollisionFrequencyLaws = std::tuple<Simonin1991,   //
-                                          Gidaspow1994,  //
+using CollisionFrequencyLaws = std::tuple<Simonin1991,          //
+                                          Gidaspow1994,         //
+                                          Gidaspow1994Unequal,  //
                                           Gjaltema1997>;
 
 /// Laws for the mean collision force on a foreign sphere.

@@ -27,13 +27,15 @@ struct Beetstra2007 {
 
   /// \param flow voidage ε [-] and superficial slip Reynolds number Re = ρ ε d w / μ [-]
   /// \return F = f_d / (3 π μ d ε w) [-]
-  double operator()(SuspensionFlow flow) const {
+  template <class Number = double>
+  Number operator()(SuspensionFlowOf<Number> flow) const {
+    using std::pow;
     const double e = flow.voidage;
     const double s = 1.0 - e;
     const double creeping = 10.0 * s / (e * e) + e * e * (1.0 + 1.5 * std::sqrt(s));
     // Both powers of Re are written with positive exponents, so that Re = 0 gives the creeping-flow value.
-    const double inertial = (1.0 / e + 3.0 * e * s) * flow.reynolds + 8.4 * std::pow(flow.reynolds, 0.657);
-    const double onset = std::pow(flow.reynolds, 0.5 + 2.0 * s);
+    const Number inertial = (1.0 / e + 3.0 * e * s) * flow.reynolds + 8.4 * pow(flow.reynolds, 0.657);
+    const Number onset = pow(flow.reynolds, 0.5 + 2.0 * s);
     return creeping + 0.413 / (24.0 * e * e) * inertial * onset / (onset + std::pow(10.0, 3.0 * s));
   }
 };

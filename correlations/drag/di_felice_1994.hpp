@@ -28,16 +28,19 @@ struct DiFelice1994 {
 
   /// \param flow voidage ε [-] and superficial slip Reynolds number Re = ρ ε d w / μ [-]
   /// \return F = f_d / (3 π μ d ε w) [-]
-  double operator()(SuspensionFlow flow) const {
-    return single_sphere::DallaValle1948{}(flow.reynolds) * std::pow(flow.voidage, -exponent(flow.reynolds));
+  template <class Number = double>
+  Number operator()(SuspensionFlowOf<Number> flow) const {
+    using std::pow;
+    return single_sphere::DallaValle1948{}(flow.reynolds) * pow(flow.voidage, -exponent(flow.reynolds));
   }
 
- private:
-  // The dip of the exponent around Re = 30 is gone in the creeping-flow limit, where log10 has no value.
-  static double exponent(double reynolds) {
+  /// χ [-]. The dip of the exponent around Re = 30 is gone in the creeping-flow limit, where log10 has no value.
+  template <class Number>
+  static Number exponent(Number reynolds) {
+    using std::exp, std::log10;
     if (reynolds <= 0.0) return 3.7;
-    const double decades = 1.5 - std::log10(reynolds);
-    return 3.7 - 0.65 * std::exp(-0.5 * decades * decades);
+    const Number decades = 1.5 - log10(reynolds);
+    return 3.7 - 0.65 * exp(-0.5 * decades * decades);
   }
 };
 

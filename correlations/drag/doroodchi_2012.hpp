@@ -17,6 +17,7 @@ struct Doroodchi2012 {
                                 .kind = LawKind::drag,
                                 .title = "Revised Ergun equation, Doroodchi et al. (2012), Peng Eq. 36",
                                 .equation = "F = (18 + 0.33 Re) e^-3.8 / 18",
+                                .equation_number = "Peng 2014, Eq. 36",
                                 .source = "doroodchi2012",
                                 .convention = "model A; Re = rho e d w / mu (superficial slip)",
                                 .reynolds = {0.0, 1e4},
@@ -28,7 +29,8 @@ struct Doroodchi2012 {
 
   /// \param flow voidage ε [-] and superficial slip Reynolds number Re = ρ ε d w / μ [-]
   /// \return F = f_d / (3 π μ d ε w) [-]
-  double operator()(SuspensionFlow flow) const {
+  template <class Number = double>
+  Number operator()(SuspensionFlowOf<Number> flow) const {
     return (18.0 + 0.33 * flow.reynolds) / 18.0 * std::pow(flow.voidage, -3.8);
   }
 };

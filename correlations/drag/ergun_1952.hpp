@@ -16,6 +16,7 @@ struct Ergun1952 {
       .kind = LawKind::drag,
       .title = "Packed bed, Ergun (1952)",
       .equation = "F = 150 (1 - e)/(18 e^2) + 1.75 Re/(18 e^2)",
+      .equation_number = "Eq. 13c",
       .source = "ergun1952",
       .convention = "model A; Re = rho e d w / mu (superficial slip)",
       .reynolds = {0.4, 1500.0},
@@ -25,7 +26,8 @@ struct Ergun1952 {
 
   /// \param flow voidage ε [-] and superficial slip Reynolds number Re = ρ ε d w / μ [-]
   /// \return F = f_d / (3 π μ d ε w) [-]
-  double operator()(SuspensionFlow flow) const {
+  template <class Number = double>
+  Number operator()(SuspensionFlowOf<Number> flow) const {
     const double e = flow.voidage;
     return (150.0 * (1.0 - e) + 1.75 * flow.reynolds) / (18.0 * e * e);
   }

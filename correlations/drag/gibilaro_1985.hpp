@@ -26,7 +26,8 @@ struct Gibilaro1985 {
 
   /// \param flow voidage ε [-] and superficial slip Reynolds number Re = ρ ε d w / μ [-]
   /// \return F = f_d / (3 π μ d ε w) [-]
-  double operator()(SuspensionFlow flow) const {
+  template <class Number = double>
+  Number operator()(SuspensionFlowOf<Number> flow) const {
     return (17.3 + 0.336 * flow.reynolds) / 18.0 * std::pow(flow.voidage, -3.8);
   }
 };

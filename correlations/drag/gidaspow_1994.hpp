@@ -16,6 +16,7 @@ struct Gidaspow1994 {
                                 .kind = LawKind::drag,
                                 .title = "Ergun and Wen-Yu switched at voidage 0.8, Gidaspow (1994)",
                                 .equation = "F = Ergun for e <= 0.8, Wen-Yu for e > 0.8",
+                                .equation_number = "Peng 2014, Eqs. 23-25",
                                 .source = "gidaspow1994",
                                 .convention = "model A; Re = rho e d w / mu (superficial slip)",
                                 .reynolds = {0.0, 2e5},
@@ -25,7 +26,10 @@ struct Gidaspow1994 {
 
   /// \param flow voidage ε [-] and superficial slip Reynolds number Re = ρ ε d w / μ [-]
   /// \return F = f_d / (3 π μ d ε w) [-]
-  double operator()(SuspensionFlow flow) const { return flow.voidage <= 0.8 ? Ergun1952{}(flow) : WenYu1966{}(flow); }
+  template <class Number = double>
+  Number operator()(SuspensionFlowOf<Number> flow) const {
+    return flow.voidage <= 0.8 ? Ergun1952{}(flow) : WenYu1966{}(flow);
+  }
 };
 
 }  // namespace slfb::drag

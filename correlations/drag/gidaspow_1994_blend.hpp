@@ -28,7 +28,8 @@ struct Gidaspow1994Blend {
 
   /// \param flow voidage ε [-] and superficial slip Reynolds number Re = ρ ε d w / μ [-]
   /// \return F = f_d / (3 π μ d ε w) [-]
-  double operator()(SuspensionFlow flow) const {
+  template <class Number = double>
+  Number operator()(SuspensionFlowOf<Number> flow) const {
     const double wen_yu_share = 0.5 + std::atan(150.0 * 1.75 * (flow.voidage - 0.8)) / std::numbers::pi;
     return (1.0 - wen_yu_share) * Ergun1952{}(flow) + wen_yu_share * WenYu1966{}(flow);
   }

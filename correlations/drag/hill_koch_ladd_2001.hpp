@@ -28,10 +28,11 @@ struct HillKochLadd2001 {
 
   /// \param flow voidage ε [-] and superficial slip Reynolds number Re = ρ ε d w / μ [-]
   /// \return F = f_d / (3 π μ d ε w) [-]
-  double operator()(SuspensionFlow flow) const {
+  template <class Number = double>
+  Number operator()(SuspensionFlowOf<Number> flow) const {
     const double e = flow.voidage;
     const double s = 1.0 - e;
-    const double r = 0.5 * flow.reynolds;
+    const Number r = 0.5 * flow.reynolds;
     const double f0 = creeping(s, 17.14, 0.681, -8.48, 8.16);
     const double f2 = creeping(s, 17.89, 0.681, -11.03, 15.41);
     const double f3 = s < 0.0953 ? 0.9351 * s + 0.03667 : 0.0673 + 0.212 * s + 0.0232 / std::pow(e, 5);

@@ -28,18 +28,25 @@ struct KochHill2001 {
 
   /// \param flow voidage ε [-] and superficial slip Reynolds number Re = ρ ε d w / μ [-]
   /// \return F = f_d / (3 π μ d ε w) [-]
-  double operator()(SuspensionFlow flow) const {
+  template <class Number = double>
+  Number operator()(SuspensionFlowOf<Number> flow) const {
+    return drag(flow, 16.14);
+  }
+
+  /// F with one or the other constant of the linear term of F_0, on which the sources disagree.
+  template <class Number>
+  static Number drag(SuspensionFlowOf<Number> flow, double linear) {
     const double e = flow.voidage;
     const double s = 1.0 - e;
     const double f3 = 0.0673 + 0.212 * s + 0.0232 / std::pow(e, 5);
-    return e * (creeping(s) + 0.5 * f3 * flow.reynolds);
+    return e * (creeping(s, linear) + 0.5 * f3 * flow.reynolds);
   }
 
  private:
-  static double creeping(double s) {
+  static double creeping(double s, double linear) {
     if (s >= 0.4) return 10.0 * s / std::pow(1.0 - s, 3);
     if (s <= 0.0) return 1.0;
-    return (1.0 + 3.0 * std::sqrt(0.5 * s) + 135.0 / 64.0 * s * std::log(s) + 16.14 * s) /
+    return (1.0 + 3.0 * std::sqrt(0.5 * s) + 135.0 / 64.0 * s * std::log(s) + linear * s) /
            (1.0 + 0.681 * s - 8.48 * s * s + 8.16 * s * s * s);
   }
 };

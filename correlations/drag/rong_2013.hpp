@@ -27,18 +27,22 @@ struct Rong2013 {
 
   /// \param flow voidage ε [-] and superficial slip Reynolds number Re = ρ ε d w / μ [-]
   /// \return F = f_d / (3 π μ d ε w) [-]
-  double operator()(SuspensionFlow flow) const {
-    return single_sphere::DallaValle1948{}(flow.reynolds) * std::pow(flow.voidage, -exponent(flow));
+  template <class Number = double>
+  Number operator()(SuspensionFlowOf<Number> flow) const {
+    using std::pow;
+    return single_sphere::DallaValle1948{}(flow.reynolds) * pow(flow.voidage, -exponent(flow));
   }
 
  private:
   // As in Di Felice's law the dip around Re = 30 vanishes in the creeping-flow limit, where log10 has no value.
-  static double exponent(SuspensionFlow flow) {
+  template <class Number>
+  static Number exponent(SuspensionFlowOf<Number> flow) {
+    using std::exp, std::log10;
     const double e = flow.voidage;
     const double viscous = 2.65 * (e + 1.0);
     if (flow.reynolds <= 0.0) return viscous;
-    const double decades = 1.5 - std::log10(flow.reynolds);
-    return viscous - (5.3 - 3.5 * e) * e * e * std::exp(-0.5 * decades * decades);
+    const Number decades = 1.5 - log10(flow.reynolds);
+    return viscous - (5.3 - 3.5 * e) * e * e * exp(-0.5 * decades * decades);
   }
 };
 

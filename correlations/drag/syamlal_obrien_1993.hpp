@@ -21,6 +21,7 @@ struct SyamlalOBrien1993 {
       .kind = LawKind::drag,
       .title = "From the terminal velocity of suspensions, Syamlal & O'Brien (1993)",
       .equation = "F = C_D(Rm/Vr) Rm/(24 Vr^2), Rm = Re/e, C_D of Dalla Valle, Vr of Garside & Al-Dibouni",
+      .equation_number = "Eqs. 11-16",
       .source = "syamlal1993",
       .convention = "model A; Re = rho e d w / mu (superficial slip); the source uses the interstitial Rm = Re/e",
       .reynolds = {0.0, 1e4},
@@ -31,18 +32,21 @@ struct SyamlalOBrien1993 {
 
   /// \param flow voidage ε [-] and superficial slip Reynolds number Re = ρ ε d w / μ [-]
   /// \return F = f_d / (3 π μ d ε w) [-]
-  double operator()(SuspensionFlow flow) const {
-    const double interstitial = flow.reynolds / flow.voidage;
-    const double ratio = velocity_ratio(flow.voidage, interstitial);
+  template <class Number = double>
+  Number operator()(SuspensionFlowOf<Number> flow) const {
+    const Number interstitial = flow.reynolds / flow.voidage;
+    const Number ratio = velocity_ratio(flow.voidage, interstitial);
     return single_sphere::DallaValle1948{}(interstitial / ratio) / ratio;
   }
 
   /// Terminal velocity in the suspension over that of the single sphere [-], at the interstitial Reynolds number.
-  static double velocity_ratio(double voidage, double interstitial_reynolds) {
+  template <class Number>
+  static Number velocity_ratio(double voidage, Number interstitial_reynolds) {
+    using std::sqrt;
     const double viscous = std::pow(voidage, 4.14);
     const double inertial = voidage <= 0.85 ? 0.8 * std::pow(voidage, 1.28) : std::pow(voidage, 2.65);
-    const double r = 0.06 * interstitial_reynolds;
-    return 0.5 * (viscous - r + std::sqrt(r * r + 2.0 * r * (2.0 * inertial - viscous) + viscous * viscous));
+    const Number r = 0.06 * interstitial_reynolds;
+    return 0.5 * (viscous - r + sqrt(r * r + 2.0 * r * (2.0 * inertial - viscous) + viscous * viscous));
   }
 };
 

@@ -18,6 +18,7 @@ struct Tang2015 {
       .title = "Immersed boundary, Tang et al. (2015)",
       .equation =
           "F = 10 s/e^2 + e^2 (1 + 1.5 sqrt(s)) + [0.11 s (1+s) - 0.00456/e^4 + (0.169 e + 0.0644/e^4) Re^-0.343] Re",
+      .equation_number = "Eq. 21",
       .source = "tang2015",
       .convention = "model A; Re = rho e d w / mu (superficial slip)",
       .reynolds = {0.0, 1e3},
@@ -27,13 +28,15 @@ struct Tang2015 {
 
   /// \param flow voidage ε [-] and superficial slip Reynolds number Re = ρ ε d w / μ [-]
   /// \return F = f_d / (3 π μ d ε w) [-]
-  double operator()(SuspensionFlow flow) const {
+  template <class Number = double>
+  Number operator()(SuspensionFlowOf<Number> flow) const {
+    using std::pow;
     const double e = flow.voidage;
     const double s = 1.0 - e;
     const double e4 = e * e * e * e;
     const double creeping = 10.0 * s / (e * e) + e * e * (1.0 + 1.5 * std::sqrt(s));
     return creeping + (0.11 * s * (1.0 + s) - 0.00456 / e4) * flow.reynolds +
-           (0.169 * e + 0.0644 / e4) * std::pow(flow.reynolds, 0.657);
+           (0.169 * e + 0.0644 / e4) * pow(flow.reynolds, 0.657);
   }
 };
 

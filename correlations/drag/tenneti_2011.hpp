@@ -27,13 +27,15 @@ struct Tenneti2011 {
 
   /// \param flow voidage ε [-] and superficial slip Reynolds number Re = ρ ε d w / μ [-]
   /// \return F = f_d / (3 π μ d ε w) [-]
-  double operator()(SuspensionFlow flow) const {
+  template <class Number = double>
+  Number operator()(SuspensionFlowOf<Number> flow) const {
+    using std::pow;
     const double e = flow.voidage;
     const double s = 1.0 - e;
     const double e3 = e * e * e;
-    const double single_sphere = (1.0 + 0.15 * std::pow(flow.reynolds, 0.687)) / e3;
+    const Number single_sphere = (1.0 + 0.15 * pow(flow.reynolds, 0.687)) / e3;
     const double crowding = 5.81 * s / e3 + 0.48 * std::cbrt(s) / (e3 * e);
-    const double inertia = s * s * s * flow.reynolds * (0.95 + 0.61 * s * s * s / (e * e));
+    const Number inertia = s * s * s * flow.reynolds * (0.95 + 0.61 * s * s * s / (e * e));
     return e * (single_sphere + crowding + inertia);
   }
 };

@@ -18,6 +18,7 @@ struct WenYu1966 {
                                 .kind = LawKind::drag,
                                 .title = "Fluidised bed, Wen & Yu (1966)",
                                 .equation = "F = (C_D Re/24) e^-3.65 with C_D of Schiller-Naumann (Eq. 24)",
+                                .equation_number = "Peng 2014, Eqs. 23-24",
                                 .source = "wenyu1966a",
                                 .convention = "model A; Re = rho e d w / mu (superficial slip)",
                                 .reynolds = {0.0, 2e5},
@@ -27,7 +28,8 @@ struct WenYu1966 {
 
   /// \param flow voidage ε [-] and superficial slip Reynolds number Re = ρ ε d w / μ [-]
   /// \return F = f_d / (3 π μ d ε w) [-]
-  double operator()(SuspensionFlow flow) const {
+  template <class Number = double>
+  Number operator()(SuspensionFlowOf<Number> flow) const {
     return single_sphere::SchillerNaumann1935{}(flow.reynolds) * std::pow(flow.voidage, -3.65);
   }
 };

@@ -4,6 +4,7 @@
 
 #include "correlations/fluidisation/expansion_exponent/garside_al_dibouni_1977.hpp"
 #include "correlations/fluidisation/expansion_exponent/khan_richardson_1989.hpp"
+#include "correlations/fluidisation/expansion_exponent/khan_richardson_1989_codes.hpp"
 #include "correlations/fluidisation/expansion_exponent/richardson_zaki_1954.hpp"
 #include "correlations/fluidisation/expansion_exponent/rowe_1987.hpp"
 #include "correlations/fluidisation/minimum_fluidisation/doroodchi_2012.hpp"
@@ -24,9 +25,10 @@ using MinimumFluidisationLaws = std::tuple<minimum_fluidisation::Ergun1952,     
                                            minimum_fluidisation::Gibilaro1985>;
 
 /// Laws for the exponent n of the bed expansion U = U_i ε^n.
-using ExpansionExponentLaws = std::tuple<RichardsonZaki1954,  //
-                                         KhanRichardson1989,  //
-                                         Rowe1987,            //
+using ExpansionExponentLaws = std::tuple<RichardsonZaki1954,       //
+                                         KhanRichardson1989,       //
+                                         KhanRichardson1989Codes,  //
+                                         Rowe1987,                 //
                                          GarsideAlDibouni1977>;
 
 /// Laws for the effect of a tube on the terminal velocity.

@@ -18,7 +18,6 @@ double slip_velocity(const Law& law, double diameter, LiquidProperties liquid, d
   // Drag 3 π μ d w F over the volume π d³/6 is 18 μ² Re F / (ρ d³), so that the balance reads Re F = target.
   const double target =
       force_per_volume * liquid.density * diameter * diameter * diameter / (18.0 * liquid.viscosity * liquid.viscosity);
-  if (target == 0.0) return 0.0;
   double upper = 1.0;
   while (upper * law(upper) < target && upper < 1e12) upper *= 2.0;
   const double reynolds =

@@ -3,11 +3,15 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
+#include <filesystem>
 #include <iostream>
 #include <memory>
 #include <stdexcept>
 #include <vector>
+
+#include "reports/law_plot.hpp"
 
 namespace slfb {
 
@@ -21,6 +25,7 @@ json number_or_null(double value) { return std::isfinite(value) ? json(value) : 
 json as_json(const Range& range) { return {number_or_null(range.lower), number_or_null(range.upper)}; }
 
 std::string as_text(const Range& range) {
+  if (!std::isfinite(range.upper) && range.lower == 0.0) return "any";
   return std::isfinite(range.upper) ? fmt::format("{:g} to {:g}", range.lower, range.upper)
                                     : fmt::format("{:g} up", range.lower);
 }
@@ -30,11 +35,17 @@ json as_json(const LawInfo& info) {
           {"kind", to_string(info.kind)},
           {"title", info.title},
           {"equation", info.equation},
+          {"equation_number", info.equation_number},
           {"convention", info.convention},
           {"source", info.source},
           {"confidence", to_string(info.confidence)},
           {"note", info.note},
-          {"range", {{"reynolds", as_json(info.reynolds)}, {"voidage", as_json(info.voidage)}}}};
+          {"variant_of", info.variant_of},
+          {"range",
+           {{"reynolds", as_json(info.reynolds)},
+            {"voidage", as_json(info.voidage)},
+            {"size_ratio", as_json(info.size_ratio)},
+            {"stokes", as_json(info.stokes)}}}};
 }
 
 std::vector<const CatalogueEntry*> laws_of(const std::string& kind) {
@@ -90,10 +101,10 @@ std::vector<std::string_view> required_arguments(LawKind kind) {
   }
 }
 
-// Complains of options that the law needs, does not take or cannot stand.
-void check_arguments(const LawInfo& info, const LawArguments& arguments, const CLI::App& command) {
+// Complains of options that the law needs (to be evaluated, not to be drawn), does not take or cannot stand.
+void check_arguments(const LawInfo& info, const LawArguments& arguments, const CLI::App& command, bool evaluated) {
   const auto taken = arguments_of(info.kind);
-  const auto required = required_arguments(info.kind);
+  const auto required = evaluated ? required_arguments(info.kind) : std::vector<std::string_view>{};
   for (const Argument& argument : all_arguments()) {
     const std::string option = option_name(argument);
     if (command.count(option) == 0) {
@@ -113,6 +124,38 @@ void check_arguments(const LawInfo& info, const LawArguments& arguments, const C
       throw CLI::ValidationError(fmt::format("{} is {:g}, but {} is allowed", option, value, allowed));
     }
   }
+}
+
+// Where a plot goes: the folder, the name without its ending and the ending, which is its format.
+struct PlotFile {
+  std::filesystem::path folder;
+  std::string id;
+  std::string format;
+};
+
+PlotFile plot_file(const std::filesystem::path& file) {
+  const std::filesystem::path folder = file.has_parent_path() ? file.parent_path() : std::filesystem::path(".");
+  PlotFile plot{folder, file.stem().string(), file.extension().string()};
+  if (plot.format != ".svg" && plot.format != ".png" && plot.format != ".pdf") {
+    throw CLI::ValidationError(
+        fmt::format("--plot is {}, but a file that ends with .svg, .png or .pdf is allowed", file.string()));
+  }
+  plot.format.erase(0, 1);
+  const bool plain = std::ranges::all_of(
+      plot.id, [](unsigned char letter) { return std::isalnum(letter) || letter == '-' || letter == '_'; });
+  if (!plain) {
+    throw CLI::ValidationError(
+        fmt::format("--plot is {}, but letters, digits, '-' and '_' are allowed in its name", file.string()));
+  }
+  if (!std::filesystem::is_directory(folder)) {
+    throw CLI::ValidationError(fmt::format("--plot is {}, but there is no folder {}", file.string(), folder.string()));
+  }
+  return plot;
+}
+
+void say_where(const PlotFile& plot) {
+  const std::string start = (plot.folder / plot.id).string();
+  std::cout << fmt::format("{0}.{1}, its data {0}.csv and its script {0}.gp\n", start, plot.format);
 }
 
 void print_csv(const CatalogueEntry& entry, const LawArguments& arguments) {
@@ -135,10 +178,20 @@ void print_text(const CatalogueEntry& entry, const LawArguments& arguments) {
     if (!text.empty()) std::cout << fmt::format("  {:<11} {}\n", label, text);
   };
   line("equation", info.equation);
+  line("number", info.equation_number.empty() ? "in the source not at hand" : info.equation_number);
   line("convention", info.convention);
-  line("range", fmt::format("Re {}, voidage {}", as_text(info.reynolds), as_text(info.voidage)));
+  std::string range = fmt::format("Re {}, voidage {}", as_text(info.reynolds), as_text(info.voidage));
+  if (as_text(info.size_ratio) != "any") range += fmt::format(", size ratio {}", as_text(info.size_ratio));
+  if (as_text(info.stokes) != "any") range += fmt::format(", Stokes number {}", as_text(info.stokes));
+  line("range", range);
   line("source", fmt::format("{} ({})", info.source, to_string(info.confidence)));
   line("note", info.note);
+  line("variant of", info.variant_of);
+  std::string variants;
+  for (const CatalogueEntry* variant : variants_of(info.name)) {
+    variants += (variants.empty() ? "" : ", ") + std::string(variant->info.name);
+  }
+  line("variants", variants);
   std::cout << "\nfor\n";
   for (const Argument* argument : arguments_of(info.kind)) {
     std::cout << fmt::format("  {:<30} {:>12.6g} {:<11} {}\n", argument->name, arguments.*(argument->value),
@@ -183,18 +236,27 @@ void add_laws_command(CLI::App& app) {
   struct Options {
     std::string kind;
     bool json = false;
+    std::filesystem::path plot;
   };
   auto options = std::make_shared<Options>();
   CLI::App* command = app.add_subcommand("laws", "List the literature laws with their sources and ranges");
   command->add_flag("--json", options->json, "Write JSON instead of a table");
   command->add_option("--kind", options->kind, "Only the laws of this kind")->check(CLI::IsMember(kinds()));
+  command->add_option("--plot", options->plot, "Draw the laws of --kind in FILE (.svg, .png or .pdf)")
+      ->type_name("FILE")
+      ->needs("--kind");
   command->footer(
       "Examples:\n"
       "  slfb laws                 every law\n"
       "  slfb laws --kind drag     the drag laws a scene can name\n"
-      "  slfb laws --json          the same for a script");
+      "  slfb laws --json          the same for a script\n"
+      "  slfb laws --kind drag --plot drag.svg   all drag laws in one picture");
   command->callback([options] {
-    if (options->json) {
+    if (!options->plot.empty()) {
+      const PlotFile plot = plot_file(options->plot);
+      draw_family(laws_of(options->kind).front()->info.kind, {}, plot.id, plot.folder, {plot.format});
+      say_where(plot);
+    } else if (options->json) {
       std::cout << laws_as_json(options->kind).dump(2) << '\n';
     } else {
       print_table(laws_of(options->kind));
@@ -208,6 +270,7 @@ void add_law_command(CLI::App& app) {
     LawArguments arguments;
     bool json = false;
     bool csv = false;
+    std::filesystem::path plot;
   };
   auto options = std::make_shared<Options>();
   CLI::App* command = app.add_subcommand("law", "Show one law and evaluate it");
@@ -220,22 +283,35 @@ void add_law_command(CLI::App& app) {
   }
   CLI::Option* json_flag = command->add_flag("--json", options->json, "Write JSON");
   command->add_flag("--csv", options->csv, "Write lines of quantity,value,unit")->excludes(json_flag);
+  command
+      ->add_option("--plot", options->plot,
+                   "Draw the law among those of its kind in FILE (.svg, .png or .pdf; its data and script beside it)")
+      ->type_name("FILE");
   command->footer(
       "All numbers are in SI units. A drag law needs --voidage and --re; the other defaults are 5 mm glass and a 6 mm\n"
       "steel sphere in water in the 50 mm column of Peng et al. (2014). Outside its range a law still answers, and "
       "says\n"
-      "so.\n\n"
+      "so.\n"
+      "A drag law gives the dimensionless drag F = f_d/(3 pi mu d e w), w the slip, f_d the drag on one sphere "
+      "without\n"
+      "the pressure gradient (model A); beta = 18 mu e (1 - e) F/d^2; and the derivative of f_d with respect to w.\n\n"
       "Examples:\n"
       "  slfb law gidaspow-1994 --voidage 0.5 --re 100\n"
       "  slfb law gidaspow-1994 --voidage 0.5 --re 499.1 --diameter 5e-3 --viscosity 1e-3 --density 998.2 --json\n"
       "  slfb law brown-lawler-2003 --re 2238\n"
       "  slfb law van-der-wielen-1996 --voidage 0.46 --superficial-velocity 0.06\n"
-      "  slfb law doroodchi-2012-minimum-fluidisation --voidage 0.40");
+      "  slfb law doroodchi-2012-minimum-fluidisation --voidage 0.40\n"
+      "  slfb law grbavcic-2009 --transition 0.8\n"
+      "  slfb law tenneti-2011 --voidage 0.6 --plot tenneti.svg");
   command->callback([options, command] {
     try {
       const CatalogueEntry& entry = find_law(options->name);
-      check_arguments(entry.info, options->arguments, *command);
-      if (options->json) {
+      check_arguments(entry.info, options->arguments, *command, options->plot.empty());
+      if (!options->plot.empty()) {
+        const PlotFile plot = plot_file(options->plot);
+        draw_law(entry, options->arguments, plot.id, plot.folder, {plot.format});
+        say_where(plot);
+      } else if (options->json) {
         std::cout << evaluation_as_json(entry, options->arguments).dump(2) << '\n';
       } else if (options->csv) {
         print_csv(entry, options->arguments);

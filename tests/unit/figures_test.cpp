@@ -8,6 +8,7 @@
 #include <set>
 #include <sstream>
 
+#include "correlations/catalogue.hpp"
 #include "experiments/claims.hpp"
 #include "experiments/figure.hpp"
 #include "experiments/inconsistencies.hpp"
@@ -139,6 +140,16 @@ TEST_P(EveryFigure, AppearsInTheReportWithEveryClaim) {
   for (const auto& evaluation : evaluations) EXPECT_TRUE(ids.contains(evaluation.claim.id)) << evaluation.claim.id;
   for (const auto& figure : figures()) EXPECT_TRUE(ids.contains(figure.id)) << figure.id;
   for (const auto& row : odd_rows) EXPECT_TRUE(ids.contains("inconsistency-" + row.id)) << row.id;
+  for (const CatalogueEntry& law : catalogue()) {
+    const fs::path file = folder.path() / "report" / "laws" / (std::string(law.info.name) + ".html");
+    pugi::xml_document law_page;
+    const auto law_parsed = law_page.load_file(file.c_str(), pugi::parse_default, pugi::encoding_utf8);
+    ASSERT_TRUE(law_parsed) << file << ": " << law_parsed.description();
+    for (const auto& found : law_page.select_nodes("//@href | //@src")) {
+      const std::string target = found.attribute().value();
+      EXPECT_TRUE(fs::exists(file.parent_path() / target.substr(0, target.find('#')))) << file << ": " << target;
+    }
+  }
   for (const auto& found : page.select_nodes("//@href | //@src")) {
     const std::string target = found.attribute().value();
     if (target.starts_with("https://doi.org/")) continue;

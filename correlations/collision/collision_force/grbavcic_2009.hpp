@@ -39,6 +39,7 @@ struct Grbavcic2009 {
       .equation =
           "F_c/(m g) = k (1 - f) N rho (pi/8) dp^2 U_inf^2/(m g), N = a (d2/d1)^3, "
           "k = 2.2 e^5.07 (d2/d1)^-1.48 (rho_M/rho_eff)^2.47",
+      .equation_number = "Peng 2014, Eqs. 13-15",
       .source = "grbavcic2009",
       .convention = foreign ? "a = 1 - e; dp and U_inf are those of the foreign sphere"
                             : "a = 1 - e; dp and U_inf are those of the bed spheres",

@@ -17,12 +17,14 @@ struct Peng2014 {
       .kind = LawKind::collision_force,
       .title = "Collision force on a foreign sphere, Peng et al. (2014), Eq. 40",
       .equation = "F_c/(m g) = 1.08 + 0.26 e - 1.34 e^2",
+      .equation_number = "Eq. 40",
       .source = "peng2014",
       .convention = "mean magnitude of the contact force over the weight of the foreign sphere; no Reynolds number",
       .reynolds = {0.0, std::numeric_limits<double>::infinity()},
       .voidage = {0.425, 1.0},
       .confidence = Confidence::read,
-      .note = "stated for St_p > 65 and d2/d1 <= 2"};
+      .size_ratio = {0.0, 2.0},
+      .stokes = {65.0, std::numeric_limits<double>::infinity()}};
 
   /// \return F_c/(m g) [-]; the settling velocity has no part in it
   double operator()(const ForeignSphereInBed& state, double /*settling_velocity*/) const {

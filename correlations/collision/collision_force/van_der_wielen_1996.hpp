@@ -19,6 +19,7 @@ struct VanDerWielen1996 {
       .kind = LawKind::collision_force,
       .title = "Collision force on a foreign sphere, van der Wielen et al. (1996), Peng Eq. 12",
       .equation = "F_c/(m g) = 10.5 (d1/d2)^0.95 a V2",
+      .equation_number = "Peng 2014, Eq. 12",
       .source = "vanderwielen1996",
       .convention = "a = 1 - e; V2 in m/s, downwards in the laboratory",
       .reynolds = {0.0, std::numeric_limits<double>::infinity()},

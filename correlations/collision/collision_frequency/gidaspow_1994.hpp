@@ -19,6 +19,7 @@ struct Gidaspow1994 {
       .kind = LawKind::collision_frequency,
       .title = "Collision frequency of unlike spheres, kinetic theory, Peng Eq. 2",
       .equation = "f = 4 n1 d12^2 g0 sqrt(pi T), d12 = (d1 + d2)/2, T = 2/3 q2",
+      .equation_number = "Peng 2014, Eq. 2",
       .source = "gidaspow1994",
       .convention =
           "n1 is the number density of the bed; q2 = 3/2 <u_p^2> of one velocity component, the same for both",

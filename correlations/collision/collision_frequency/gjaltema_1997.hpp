@@ -18,6 +18,7 @@ struct Gjaltema1997 {
       .kind = LawKind::collision_frequency,
       .title = "Collision frequency of a drifting sphere, Peng Eq. 5",
       .equation = "f = pi n1 d12^2 U_r, d12 = (d1 + d2)/2",
+      .equation_number = "Peng 2014, Eq. 5",
       .source = "gjaltema1997",
       .convention = "n1 is the number density of the bed; U_r is the drift of the foreign sphere through it",
       .reynolds = {0.0, std::numeric_limits<double>::infinity()},

@@ -20,6 +20,7 @@ struct Simonin1991 {
       .kind = LawKind::collision_frequency,
       .title = "Collision frequency of like spheres, kinetic theory, Peng Eq. 6",
       .equation = "f d/sqrt(q2) = 24 sqrt(2/(3 pi)) a g0",
+      .equation_number = "Peng 2014, Eq. 6",
       .source = "simonin1991",
       .convention = "a = 1 - e; q2 = 3/2 <u_p^2> of one velocity component; d is the bed sphere",
       .reynolds = {0.0, std::numeric_limits<double>::infinity()},

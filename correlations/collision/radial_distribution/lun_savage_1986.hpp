@@ -16,6 +16,7 @@ struct LunSavage1986 {
                                 .kind = LawKind::radial_distribution,
                                 .title = "Contact value of the pair distribution, Lun & Savage (1986), Peng Eq. 7",
                                 .equation = "g0 = (1 - a/am)^(-2.5 am), am = 0.575",
+                                .equation_number = "Peng 2014, Eq. 7",
                                 .source = "lun1986",
                                 .convention = "a = 1 - e is the solids fraction",
                                 .reynolds = {0.0, std::numeric_limits<double>::infinity()},

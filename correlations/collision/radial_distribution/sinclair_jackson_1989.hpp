@@ -17,6 +17,7 @@ struct SinclairJackson1989 {
       .kind = LawKind::radial_distribution,
       .title = "Contact value of the pair distribution, Sinclair & Jackson (1989), Peng Eq. 4",
       .equation = "g0 = 1/(1 - (a/am)^(1/3)), am = 0.575",
+      .equation_number = "Peng 2014, Eq. 4",
       .source = "sinclair1989",
       .convention = "a = 1 - e is the solids fraction",
       .reynolds = {0.0, std::numeric_limits<double>::infinity()},

@@ -25,8 +25,10 @@ struct Abraham1970 {
 
   /// \param reynolds Re [-], ≥ 0
   /// \return drag over Stokes drag, C_D Re / 24 [-]; 1 at Re = 0
-  double operator()(double reynolds) const {
-    const double root = 1.0 + std::sqrt(reynolds) / 9.06;
+  template <class Number>
+  Number operator()(Number reynolds) const {
+    using std::sqrt;
+    const Number root = 1.0 + sqrt(reynolds) / 9.06;
     return root * root;
   }
 };

@@ -24,10 +24,12 @@ struct BrownLawler2003 {
 
   /// \param reynolds Re [-], ≥ 0
   /// \return drag over Stokes drag, C_D Re / 24 [-]; 1 at Re = 0
-  double operator()(double reynolds) const {
+  template <class Number>
+  Number operator()(Number reynolds) const {
+    using std::pow;
     // 0.407 / (1 + 8710/Re) times Re, written without the division by Re.
-    const double newton = 0.407 * reynolds * reynolds / (reynolds + 8710.0);
-    return 1.0 + 0.150 * std::pow(reynolds, 0.681) + newton / 24.0;
+    const Number newton = 0.407 * reynolds * reynolds / (reynolds + 8710.0);
+    return 1.0 + 0.150 * pow(reynolds, 0.681) + newton / 24.0;
   }
 };
 

@@ -24,11 +24,13 @@ struct CliftGauvin1971 {
 
   /// \param reynolds Re [-], ≥ 0
   /// \return drag over Stokes drag, C_D Re / 24 [-]; 1 at Re = 0
-  double operator()(double reynolds) const {
+  template <class Number>
+  Number operator()(Number reynolds) const {
+    using std::pow;
     // 0.42 / (1 + 42500 Re^-1.16) times Re, written without the negative power of Re.
-    const double power = std::pow(reynolds, 1.16);
-    const double newton = 0.42 * reynolds * power / (power + 42500.0);
-    return 1.0 + 0.15 * std::pow(reynolds, 0.687) + newton / 24.0;
+    const Number power = pow(reynolds, 1.16);
+    const Number newton = 0.42 * reynolds * power / (power + 42500.0);
+    return 1.0 + 0.15 * pow(reynolds, 0.687) + newton / 24.0;
   }
 };
 

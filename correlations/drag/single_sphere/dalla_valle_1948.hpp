@@ -25,8 +25,10 @@ struct DallaValle1948 {
 
   /// \param reynolds Re [-], ≥ 0
   /// \return drag over Stokes drag, C_D Re / 24 [-]; 0.96 at Re = 0
-  double operator()(double reynolds) const {
-    const double root = 0.63 * std::sqrt(reynolds) + 4.8;
+  template <class Number>
+  Number operator()(Number reynolds) const {
+    using std::sqrt;
+    const Number root = 0.63 * sqrt(reynolds) + 4.8;
     return root * root / 24.0;
   }
 };

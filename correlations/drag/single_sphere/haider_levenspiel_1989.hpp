@@ -24,10 +24,12 @@ struct HaiderLevenspiel1989 {
 
   /// \param reynolds Re [-], ≥ 0
   /// \return drag over Stokes drag, C_D Re / 24 [-]; 1 at Re = 0
-  double operator()(double reynolds) const {
+  template <class Number>
+  Number operator()(Number reynolds) const {
+    using std::pow;
     // 0.4251 / (1 + 6880.95/Re) times Re, written without the division by Re.
-    const double newton = 0.4251 * reynolds * reynolds / (reynolds + 6880.95);
-    return 1.0 + 0.1806 * std::pow(reynolds, 0.6459) + newton / 24.0;
+    const Number newton = 0.4251 * reynolds * reynolds / (reynolds + 6880.95);
+    return 1.0 + 0.1806 * pow(reynolds, 0.6459) + newton / 24.0;
   }
 };
 

@@ -17,6 +17,7 @@ struct SchillerNaumann1935 {
       .kind = LawKind::single_sphere_drag,
       .title = "Drag of a single sphere, Schiller & Naumann (1935)",
       .equation = "C_D = 24/Re (1 + 0.15 Re^0.687) for Re <= 1000; C_D = 0.44 above",
+      .equation_number = "Peng 2014, Eq. 24",
       .source = "schiller1935",
       .convention = "Re = rho d w / mu on the slip velocity w of the sphere in unbounded liquid",
       .reynolds = {0.0, 2e5},
@@ -26,9 +27,11 @@ struct SchillerNaumann1935 {
 
   /// \param reynolds Re [-], ≥ 0
   /// \return drag over Stokes drag, C_D Re / 24 [-]; 1 at Re = 0
-  double operator()(double reynolds) const {
+  template <class Number>
+  Number operator()(Number reynolds) const {
+    using std::pow;
     if (reynolds > 1000.0) return 0.44 * reynolds / 24.0;
-    return 1.0 + 0.15 * std::pow(reynolds, 0.687);
+    return 1.0 + 0.15 * pow(reynolds, 0.687);
   }
 };
 

@@ -7,6 +7,7 @@
 #include "correlations/drag/single_sphere/abraham_1970.hpp"
 #include "correlations/drag/single_sphere/brown_lawler_2003.hpp"
 #include "correlations/drag/single_sphere/clift_gauvin_1971.hpp"
+#include "correlations/drag/single_sphere/clift_gauvin_1971_refit.hpp"
 #include "correlations/drag/single_sphere/dalla_valle_1948.hpp"
 #include "correlations/drag/single_sphere/haider_levenspiel_1989.hpp"
 #include "correlations/drag/single_sphere/schiller_naumann_1935.hpp"
@@ -24,6 +25,7 @@ using SingleSphereLaws = std::tuple<SchillerNaumann1935,   //
                                     HaiderLevenspiel1989,  //
                                     DallaValle1948,        //
                                     CliftGauvin1971,       //
+                                    CliftGauvin1971Refit,  //
                                     Abraham1970>;
 
 /// Calls `use(law)` with the single-sphere law of that name and returns its result.

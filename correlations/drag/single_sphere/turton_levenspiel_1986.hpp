@@ -24,11 +24,13 @@ struct TurtonLevenspiel1986 {
 
   /// \param reynolds Re [-], ≥ 0
   /// \return drag over Stokes drag, C_D Re / 24 [-]; 1 at Re = 0
-  double operator()(double reynolds) const {
+  template <class Number>
+  Number operator()(Number reynolds) const {
+    using std::pow;
     // 0.413 / (1 + 16300 Re^-1.09) times Re, written without the negative power of Re.
-    const double power = std::pow(reynolds, 1.09);
-    const double newton = 0.413 * reynolds * power / (power + 16300.0);
-    return 1.0 + 0.173 * std::pow(reynolds, 0.657) + newton / 24.0;
+    const Number power = pow(reynolds, 1.09);
+    const Number newton = 0.413 * reynolds * power / (power + 16300.0);
+    return 1.0 + 0.173 * pow(reynolds, 0.657) + newton / 24.0;
   }
 };
 

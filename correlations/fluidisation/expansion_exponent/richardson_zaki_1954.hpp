@@ -20,12 +20,14 @@ struct RichardsonZaki1954 {
                                 .equation =
                                     "n = 4.65 + 19.5 d/D; (4.35 + 17.5 d/D) Re_t^-0.03; (4.45 + 18 d/D) Re_t^-0.1; "
                                     "4.45 Re_t^-0.1; 2.39 from Re_t 0.2, 1, 200, 500",
+                                .equation_number = "Eqs. 33-39",
                                 .source = "richardson1954",
                                 .convention = "Re_t = rho u_t d / mu on the terminal velocity; U = U_i e^n",
                                 .reynolds = {2e-4, 7e3},
                                 .voidage = {0.4, 1.0},
                                 .confidence = Confidence::read,
-                                .note = "stated for d/D < 0.04; the bed of Peng 2014 has 0.06 to 0.1"};
+                                .note = "stated for d/D < 0.04; the bed of Peng 2014 has 0.06 to 0.1",
+                                .size_ratio = {0.0, 0.04}};
 
   /// \return n [-]
   double operator()(const ExpansionConditions& conditions) const {

@@ -17,6 +17,7 @@ struct Doroodchi2012 {
                                 .kind = LawKind::minimum_fluidisation,
                                 .title = "Minimum fluidisation, Doroodchi et al. (2012), Peng Eq. 36",
                                 .equation = "(rho_P - rho) g e^4.8 = 18 mu U/d^2 + 0.33 rho U^2/d",
+                                .equation_number = "Peng 2014, Eq. 36",
                                 .source = "doroodchi2012",
                                 .convention = "Re = rho U_mf d / mu (superficial); e is the voidage of the packed bed",
                                 .reynolds = {0.0, 1e4},

@@ -62,7 +62,8 @@ TEST(RadialDistribution, IsInfiniteFromThePackingOn) {
   EXPECT_TRUE(std::isinf(LunSavage1986{}(0.575)));
   EXPECT_TRUE(std::isinf(SinclairJackson1989{}(0.6)));
   EXPECT_TRUE(std::isinf(DingGidaspow1990{}(0.6)));
-  EXPECT_TRUE(std::isinf(MaAhmadi1986{}(0.65)));
+  EXPECT_TRUE(std::isinf(MaAhmadi1986{}(0.645)));
+  EXPECT_TRUE(std::isfinite(MaAhmadi1986{}(0.643)));
   EXPECT_TRUE(std::isinf(Torquato1995{}(0.64)));
 }
 
@@ -122,6 +123,14 @@ TEST(CollisionFrequency, DriftByHand) {
   EXPECT_NEAR(Gjaltema1997{}({0.42, 5e-3, 6e-3, 1e-3, 0.216, 1.0}), 131.7, 0.1);
 }
 
+// A state that says nothing of drift, crowding or the fluctuation of the foreign sphere has none.
+TEST(CollisionFrequency, WhatAStateDoesNotNameIsAbsent) {
+  const CollisionState state{.solids = 0.3, .bed_diameter = 5e-3, .foreign_diameter = 5e-3, .kinetic_energy = 1.5e-3};
+  EXPECT_EQ(Gjaltema1997{}(state), 0.0);
+  EXPECT_NEAR(Simonin1991{}(state), 25.6914, 6e-5);                           // g0 = 1
+  EXPECT_NEAR(Gidaspow1994Unequal{}(state), 25.6914 / std::sqrt(2.0), 6e-5);  // half of the variance
+}
+
 TEST(StokesNumber, ByHand) {
   // 2230·sqrt(1e-3)·0.005/(9·1e-3) = 2230·0.0316228·0.555556 = 39.18
   EXPECT_NEAR(stokes_number(glass, water, 1e-3), 39.18, 5e-3);
@@ -162,6 +171,8 @@ TEST(CollisionForce, GrbavcicBand) {
   using Law = Grbavcic2009<DisplacedDrag::of_foreign_sphere>;
   const ForceBand band = Law::band(bed_at(0.6));
   EXPECT_EQ(band.lower, 0.0);
+  EXPECT_EQ(band.upper, Law{.transition = 0.0}(bed_at(0.6)));
+  EXPECT_EQ(Law{}(bed_at(0.6)), Law{.transition = 0.5}(bed_at(0.6)));  // assumed midway
   double previous = band.upper;
   for (const double transition : {0.25, 0.5, 0.75, 1.0}) {
     const double force = Law{.transition = transition}(bed_at(0.6));

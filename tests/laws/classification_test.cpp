@@ -71,6 +71,10 @@ TEST(ClassificationVelocity, PseudoFluidViscosity) {
 }
 
 TEST(ClassificationVelocity, PseudoFluidEndsWhereTheFlowIsTooFast) {
+  // At e = 0.5 the bed particle needs C_D = 4/3·615.9·9.81·0.005/(1614.1 U²) = 0.024955/U². Dalla Valle's C_D is above
+  // 0.63²: 0.635² at U = 0.24877 m/s has a viscosity, 0.625² at U = 0.25275 m/s has none.
+  EXPECT_GT(DiFelice1991::pseudo_viscosity({glass, steel, water, 0.5, 0.24877}), 0.0);
+  EXPECT_THROW(DiFelice1991::pseudo_viscosity({glass, steel, water, 0.5, 0.25275}), std::domain_error);
   EXPECT_THROW(DiFelice1991{}({glass, steel, water, 0.46, 3.0}), std::domain_error);
 }
 
@@ -109,6 +113,8 @@ TEST(ClassificationVelocity, GrbavcicBandHoldsItsEnds) {
     const ForeignSphereInBed state = bed_at(velocity);
     const VelocityBand band = Law::band(state);
     EXPECT_LT(band.lower, band.upper);
+    EXPECT_EQ(band.lower, Law{.transition = 0.0}(state));    // the strongest braking
+    EXPECT_EQ(Law{}(state), Law{.transition = 0.5}(state));  // assumed midway
     for (const double transition : {0.0, 0.3, 1.0}) {
       EXPECT_GE(Law{.transition = transition}(state), band.lower - 1e-3);
       EXPECT_LE(Law{.transition = transition}(state), band.upper + 1e-3);

@@ -1,16 +1,13 @@
-// The catalogue of laws and the two commands that show it.
+// The two commands that show the catalogue of laws.
 
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <fstream>
-#include <iterator>
-#include <set>
+#include <filesystem>
 #include <string>
 #include <vector>
 
 #include "correlations/catalogue.hpp"
-#include "correlations/drag/drag_laws.hpp"
 #include "experiments/commands/laws.hpp"
 
 namespace slfb {
@@ -40,48 +37,6 @@ std::string error_of(const std::vector<std::string>& words) {
     return error.what();
   }
   return "";
-}
-
-TEST(Catalogue, EveryLawIsDescribedAndNamedOnce) {
-  std::set<std::string_view> names;
-  for (const CatalogueEntry& entry : catalogue()) {
-    const LawInfo& info = entry.info;
-    EXPECT_TRUE(names.insert(info.name).second) << info.name << " is there twice";
-    EXPECT_EQ(info.name.find_first_not_of("abcdefghijklmnopqrstuvwxyz0123456789-"), std::string_view::npos);
-    EXPECT_FALSE(info.title.empty() || info.equation.empty() || info.convention.empty()) << info.name;
-    EXPECT_LE(info.reynolds.lower, info.reynolds.upper) << info.name;
-    EXPECT_LE(info.voidage.lower, info.voidage.upper) << info.name;
-    EXPECT_EQ(&find_law(info.name), &entry);
-  }
-}
-
-TEST(Catalogue, HoldsEveryDragLaw) {
-  for_each_law<drag::DragLaws>([](const auto& law) { EXPECT_EQ(find_law(law.info.name).info.kind, LawKind::drag); });
-}
-
-TEST(Catalogue, EverySourceIsInTheBibliography) {
-  std::ifstream file(SLFB_SOURCE_DIR "/reference-data/references.bib");
-  ASSERT_TRUE(file);
-  const std::string bibliography{std::istreambuf_iterator<char>(file), {}};
-  for (const CatalogueEntry& entry : catalogue()) {
-    EXPECT_NE(bibliography.find("{" + std::string(entry.info.source) + ","), std::string::npos)
-        << entry.info.name << " cites " << entry.info.source;
-  }
-}
-
-TEST(Catalogue, EveryLawAnswersTheDefaultArgumentsWithFiniteNumbers) {
-  for (const CatalogueEntry& entry : catalogue()) {
-    const LawAnswer evaluation = entry.evaluate(LawArguments{});
-    EXPECT_FALSE(evaluation.quantities.empty()) << entry.info.name;
-    for (const Quantity& quantity : evaluation.quantities) {
-      EXPECT_TRUE(std::isfinite(quantity.value)) << entry.info.name << ": " << quantity.name;
-    }
-  }
-}
-
-TEST(Catalogue, ReconstructionsSaySo) {
-  EXPECT_EQ(find_law("joshi-1983-reconstruction").info.confidence, Confidence::reconstructed);
-  EXPECT_NE(find_law("joshi-1983-reconstruction").info.title.find("reconstruction"), std::string_view::npos);
 }
 
 TEST(LawsCommand, WritesTheFixedJsonShape) {
@@ -148,6 +103,36 @@ TEST(LawCommand, NamesWhatIsMissingOrUnknown) {
   EXPECT_NE(unknown.find("gidaspow-1994"), std::string::npos);
   // Arguments for which the law has no solution are an error that says why.
   EXPECT_NE(error_of({"law", "di-felice-1991", "--superficial-velocity", "3"}).find("pseudo-fluid"), std::string::npos);
+}
+
+TEST(LawCommand, GivesTheDerivativeOfTheDragWithRespectToTheSlip) {
+  // Ergun, e = 0.5, Re = 100, 5 mm in water: 3 pi 1e-3·5e-3·0.5·94.444 = 2.2253e-3 N s/m.
+  const json answer = json::parse(run({"law", "ergun-1952", "--voidage", "0.5", "--re", "100", "--json"}));
+  EXPECT_NEAR(answer.at("drag_force_per_slip").get<double>(), 2.2253e-3, 6e-8);
+  EXPECT_EQ(answer.at("units").at("drag_force_per_slip"), "N s/m");
+}
+
+TEST(LawCommand, TheAssumedTransitionIsAnArgument) {
+  const auto force = [](const char* transition) {
+    return json::parse(run({"law", "grbavcic-2009-force", "--transition", transition, "--json"}));
+  };
+  EXPECT_EQ(force("1").at("force_over_weight"), 0.0);
+  EXPECT_EQ(force("0").at("force_over_weight"), force("0.3").at("force_over_weight_upper"));
+  EXPECT_NE(error_of({"law", "grbavcic-2009-force", "--transition", "1.5"}).find("1.5"), std::string::npos);
+}
+
+TEST(LawCommand, DrawsALawAndAFamily) {
+  const std::filesystem::path folder = std::filesystem::path(testing::TempDir()) / "slfb-law-plots";
+  std::filesystem::create_directories(folder);
+  run({"law", "tenneti-2011", "--voidage", "0.6", "--plot", (folder / "one.svg").string()});
+  run({"laws", "--kind", "radial-distribution", "--plot", (folder / "all.pdf").string()});
+  for (const char* name : {"one.svg", "one.csv", "one.gp", "all.pdf", "all.csv"}) {
+    EXPECT_TRUE(std::filesystem::exists(folder / name)) << name;
+  }
+  EXPECT_NE(error_of({"law", "tenneti-2011", "--plot", (folder / "one.jpg").string()}).find(".svg"), std::string::npos);
+  EXPECT_NE(error_of({"law", "tenneti-2011", "--plot", (folder / "none" / "a.svg").string()}).find("no folder"),
+            std::string::npos);
+  std::filesystem::remove_all(folder);
 }
 
 TEST(LawCommand, WritesCsv) {

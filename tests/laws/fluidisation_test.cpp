@@ -102,6 +102,24 @@ TEST(BedExpansion, PackedBelowMinimumFluidisationAndWashedOutAboveTheTerminalVel
   EXPECT_EQ(bed_voidage(law, glass_5mm, water, 0.42, 0.40).regime, BedRegime::expanded);
 }
 
+// The weight decides to a fraction of a percent of the velocity.
+TEST(BedExpansion, RegimesMeetAtMinimumFluidisationAndAtTheTerminalVelocity) {
+  const drag::WenYu1966 law;
+  const double packed = minimum_fluidisation_velocity(law, glass_5mm, water, 0.40);
+  EXPECT_EQ(bed_voidage(law, glass_5mm, water, 0.998 * packed, 0.40).regime, BedRegime::packed);
+  EXPECT_EQ(bed_voidage(law, glass_5mm, water, 1.002 * packed, 0.40).regime, BedRegime::expanded);
+  const double terminal = terminal_velocity(drag::single_sphere::SchillerNaumann1935{}, glass_5mm, water);
+  EXPECT_EQ(bed_voidage(law, glass_5mm, water, 0.998 * terminal, 0.40).regime, BedRegime::expanded);
+  EXPECT_EQ(bed_voidage(law, glass_5mm, water, 1.002 * terminal, 0.40).regime, BedRegime::washed_out);
+  EXPECT_EQ(bed_voidage(law, glass_5mm, water, 1.002 * terminal, 0.40).voidage, 1.0);
+}
+
+TEST(BedExpansion, OfFineSpheresIsViscous) {
+  // Carman–Kozeny part of Ergun for 20 um at e = 0.4: 1231.8·9.81·4e-10·0.064/(150·0.6·1e-3) = 3.4372e-6 m/s, Re =
+  // 7e-5.
+  EXPECT_NEAR(superficial_velocity(drag::Ergun1952{}, {20e-6, 2230.0}, water, 0.4), 3.4372e-6, 1e-10);
+}
+
 TEST(BedExpansion, VelocityAndVoidageAreInverses) {
   EXPECT_TRUE(rc::check("inverse", [] {
     const double expected = *rc::gen::inRange(400, 951) / 1000.0;
@@ -152,6 +170,8 @@ TEST(MinimumFluidisation, ClosedFormEqualsTheRootSearch) {
 }
 
 TEST(MinimumFluidisation, RefusesALightSphere) {
+  EXPECT_THROW(positive_root(1.0, 1.0, -0.005), std::domain_error);
+  EXPECT_NEAR(positive_root(1.0, 1.0, 0.005), 0.0049752, 1e-7);  // (sqrt(1.02) - 1)/2
   EXPECT_THROW(minimum_fluidisation::Ergun1952{}({{5e-3, 900.0}, water, 0.4}), std::domain_error);
 }
 

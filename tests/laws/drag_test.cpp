@@ -4,6 +4,7 @@
 #include <rapidcheck.h>
 
 #include <cmath>
+#include <limits>
 #include <map>
 #include <string>
 #include <string_view>
@@ -103,35 +104,77 @@ TEST(DragLaws, ExchangeCoefficientInSiUnits) {
   EXPECT_NEAR(exchange_coefficient(dimensionless_drag("gidaspow-1994", 0.9, 898.38), 0.9, 5e-3, 1e-3), 1621.7, 0.2);
 }
 
-// What each law tends to for one sphere in creeping flow. Several are not Stokes, and should be seen not to be.
-TEST(DragLaws, CreepingFlowLimitOfOneSphere) {
-  const std::map<std::string, double> limits{{"ergun-1952", 0.0},             // a packed bed knows no single sphere
-                                             {"gibilaro-1985", 17.3 / 18.0},  // 23.07/24
-                                             {"di-felice-1994", 0.96},        // Dalla Valle's 4.8² = 23.04
-                                             {"rong-2013", 0.96},             //
-                                             {"syamlal-obrien-1993", 0.96}};  //
+// What each law tends to where only one sphere is left: F in creeping flow, where one sphere has 1, and C_D at
+// Re = 1000, where one sphere has 0.38 to 0.47. Several laws are not the single sphere, and should be seen not to be.
+struct SingleSphereLimit {
+  double creeping;
+  double coefficient;
+};
+constexpr double infinite = std::numeric_limits<double>::infinity();
+const std::map<std::string, SingleSphereLimit> single_sphere_limits{
+    {"ergun-1952", {0.0, 2.33333}},                      // a packed bed knows no single sphere: 24·1.75/18
+    {"ergun-1952-refit", {0.0, 2.26267}},                // 24·1.697/18
+    {"eisfeld-schnitzlein-2001", {infinite, infinite}},  // a wall without spheres still drags
+    {"wen-yu-1966", {1.0, 0.43829}},                     // Schiller–Naumann
+    {"gidaspow-1994", {1.0, 0.43829}},                   //
+    {"gidaspow-1994-blend", {0.993937, 0.44978}},        // 0.60633 % of Ergun is left: atan(52.5)/pi = 0.493937
+    {"di-felice-1994", {0.96, 0.61119}},                 // Dalla Valle
+    {"di-felice-1994-mfix", {1.0, 0.43829}},             //
+    {"gibilaro-1985", {0.961111, 0.47107}},              // 23.07/Re + 0.448
+    {"doroodchi-2012", {1.0, 0.46400}},                  // 24/Re + 0.44
+    {"syamlal-obrien-1993", {0.96, 0.61119}},            // V_r = 1
+    {"hill-koch-ladd-2001", {1.0, 0.46404}},             // 24 (1 + 0.03667·500)/1000
+    {"koch-hill-2001", {1.0, 1.11000}},                  // 24 (1 + 0.0905·500)/1000
+    {"koch-hill-2001-ladd", {1.0, 1.11000}},             //
+    {"beetstra-2007", {1.0, 0.73890}},                   // 24 (1 + 17.2083 (1 + 8.4·1000^-0.343)/(1 + 1000^-0.5))/1000
+    {"tang-2015", {1.0, 0.43854}},                       // 24 (1 + 1000 (-0.00456 + 0.2334·1000^-0.343))/1000
+    {"tenneti-2011", {1.0, 0.43829}},                    //
+    {"tenneti-2011-mfix", {1.0, 0.43829}},
+    {"tenneti-2011-openfoam", {1.0, 0.43829}},
+    {"rong-2013", {0.96, 0.61119}}};
+
+TEST(DragLaws, LimitOfOneSphere) {
   for (const std::string& name : all_names()) {
-    const double expected = limits.contains(name) ? limits.at(name) : 1.0;
-    // The blend keeps 0.6 % of Ergun's law, which is 0 here.
-    const double tolerance = name == "gidaspow-1994-blend" ? 0.007 : 1e-12;
-    EXPECT_NEAR(dimensionless_drag(name, 1.0, 0.0), expected, tolerance) << name;
+    ASSERT_TRUE(single_sphere_limits.contains(name)) << name;
+    const SingleSphereLimit& limit = single_sphere_limits.at(name);
+    const double creeping = dimensionless_drag(name, 1.0, 0.0);
+    const double coefficient = 24.0 / 1000.0 * dimensionless_drag(name, 1.0, 1000.0);
+    if (std::isinf(limit.creeping)) {
+      EXPECT_TRUE(std::isinf(creeping) && std::isinf(coefficient)) << name;
+    } else {
+      EXPECT_NEAR(creeping, limit.creeping, 1e-6) << name;
+      EXPECT_NEAR(coefficient, limit.coefficient, 6e-6) << name;
+    }
   }
 }
 
-// Carman's 10 s/e² for a dense bed in creeping flow is 6/0.16 = 37.5 at e = 0.4. Laws that contain it, or nearly so.
+// Carman's 10 s/e² for a dense bed in creeping flow is 6/0.16 = 37.5 at e = 0.4; what each law gives of it.
 TEST(DragLaws, CreepingFlowLimitOfAPackedBed) {
   constexpr double carman = 37.5;
   const std::map<std::string, double> ratios{
-      {"ergun-1952", 150.0 / 180.0},  //
-      {"hill-koch-ladd-2001", 1.0},   //
-      {"koch-hill-2001", 1.0},        //
-      {"beetstra-2007", 1.009},       // 0.16 (1 + 1.5 sqrt(0.6)) = 0.346 above Carman
-      {"tang-2015", 1.009},           // the same
-      {"tenneti-2011", 0.916},        // 0.4 (15.625 + 54.469 + 15.814) = 34.363
-      {"gibilaro-1985", 0.833},       // 17.3/18·2.5^3.8 = 0.9611·32.514 = 31.250: Ergun's value
-      {"wen-yu-1966", 0.756}};        // 2.5^3.65 = 28.345
-  for (const auto& [name, ratio] : ratios) {
-    EXPECT_NEAR(dimensionless_drag(name, 0.4, 0.0) / carman, ratio, 1e-3) << name;
+      {"ergun-1952", 150.0 / 180.0},         //
+      {"ergun-1952-refit", 151.9 / 180.0},   //
+      {"eisfeld-schnitzlein-2001", 1.0562},  // 154/180·(1 + 0.2/1.8)² = 0.85556·1.234568
+      {"hill-koch-ladd-2001", 1.0},          //
+      {"koch-hill-2001", 1.0},               //
+      {"koch-hill-2001-ladd", 1.0},          //
+      {"beetstra-2007", 1.009},              // 0.16 (1 + 1.5 sqrt(0.6)) = 0.346 above Carman
+      {"tang-2015", 1.009},                  // the same
+      {"tenneti-2011", 0.916},               // 0.4 (15.625 + 54.469 + 15.814) = 34.363
+      {"tenneti-2011-mfix", 2.291},          // without the 0.4
+      {"tenneti-2011-openfoam", 0.816},      // 2.5 in place of 0.4·15.625 = 6.25: 30.613
+      {"gibilaro-1985", 0.833},              // 17.3/18·2.5^3.8 = 0.9611·32.514 = 31.250: Ergun's value
+      {"doroodchi-2012", 0.867},             // 2.5^3.8 = 32.514
+      {"wen-yu-1966", 0.756},                // 2.5^3.65 = 28.345
+      {"gidaspow-1994", 150.0 / 180.0},      // Ergun
+      {"gidaspow-1994-blend", 0.8330},       // 0.30 % of Wen–Yu
+      {"di-felice-1994", 0.7597},            // 0.96·2.5^3.7 = 0.96·29.674 = 28.487
+      {"di-felice-1994-mfix", 0.7913},       // 29.674
+      {"syamlal-obrien-1993", 1.137},        // 0.96/V_r, V_r = 0.4^4.14 = 0.022517: 42.63
+      {"rong-2013", 0.767}};                 // 0.96·2.5^3.71 = 28.749
+  for (const std::string& name : all_names()) {
+    ASSERT_TRUE(ratios.contains(name)) << name;
+    EXPECT_NEAR(dimensionless_drag(name, 0.4, 0.0) / carman, ratios.at(name), 1e-3) << name;
   }
 }
 

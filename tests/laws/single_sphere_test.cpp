@@ -111,6 +111,14 @@ TEST(TerminalVelocity, OfAFineSphereIsThatOfStokes) {
 }
 
 TEST(TerminalVelocity, RefusesALightSphere) {
+  try {
+    fluidisation::slip_velocity(Abraham1970{}, 5e-3, water, -0.005);
+    FAIL() << "a force that points upwards was accepted";
+  } catch (const std::domain_error& error) {
+    EXPECT_NE(std::string(error.what()).find("upwards"), std::string::npos);
+  }
+  EXPECT_GT(fluidisation::slip_velocity(Abraham1970{}, 5e-3, water, 0.005), 0.0);
+  EXPECT_EQ(fluidisation::slip_velocity(Abraham1970{}, 5e-3, water, 0.0), 0.0);
   EXPECT_THROW(fluidisation::terminal_velocity(Abraham1970{}, {5e-3, 900}, water), std::domain_error);
 }
 

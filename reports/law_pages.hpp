@@ -1,0 +1,12 @@
+#pragma once
+
+#include <filesystem>
+
+namespace slfb {
+
+/// Writes a page per law into `folder`/laws, NAME.html, and variants.html, which shows how far apart sources are that
+/// print different formulas under one name. All comes from the catalogue, from reference-data/law-checks and from the
+/// bibliography.
+void write_law_pages(const std::filesystem::path& folder);
+
+}  // namespace slfb

@@ -1,0 +1,106 @@
+// The catalogue of laws.
+
+#include "correlations/catalogue.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <fstream>
+#include <iterator>
+#include <set>
+#include <string>
+
+#include "correlations/drag/drag_laws.hpp"
+
+namespace slfb {
+namespace {
+
+TEST(Catalogue, EveryLawIsDescribedAndNamedOnce) {
+  std::set<std::string_view> names;
+  for (const CatalogueEntry& entry : catalogue()) {
+    const LawInfo& info = entry.info;
+    EXPECT_TRUE(names.insert(info.name).second) << info.name << " is there twice";
+    EXPECT_EQ(info.name.find_first_not_of("abcdefghijklmnopqrstuvwxyz0123456789-"), std::string_view::npos);
+    EXPECT_FALSE(info.title.empty() || info.equation.empty() || info.convention.empty()) << info.name;
+    EXPECT_LE(info.reynolds.lower, info.reynolds.upper) << info.name;
+    EXPECT_LE(info.voidage.lower, info.voidage.upper) << info.name;
+    EXPECT_EQ(&find_law(info.name), &entry);
+  }
+}
+
+TEST(Catalogue, HoldsEveryDragLaw) {
+  for_each_law<drag::DragLaws>([](const auto& law) { EXPECT_EQ(find_law(law.info.name).info.kind, LawKind::drag); });
+}
+
+TEST(Catalogue, EverySourceIsInTheBibliography) {
+  std::ifstream file(SLFB_SOURCE_DIR "/reference-data/references.bib");
+  ASSERT_TRUE(file);
+  const std::string bibliography{std::istreambuf_iterator<char>(file), {}};
+  for (const CatalogueEntry& entry : catalogue()) {
+    std::string key = "{";
+    key.append(entry.info.source).append(",");
+    EXPECT_NE(bibliography.find(key), std::string::npos) << entry.info.name << " cites " << entry.info.source;
+  }
+}
+
+TEST(Catalogue, EveryLawAnswersTheDefaultArgumentsWithFiniteNumbers) {
+  for (const CatalogueEntry& entry : catalogue()) {
+    const LawAnswer evaluation = entry.evaluate(LawArguments{});
+    EXPECT_FALSE(evaluation.quantities.empty()) << entry.info.name;
+    for (const Quantity& quantity : evaluation.quantities) {
+      EXPECT_TRUE(std::isfinite(quantity.value)) << entry.info.name << ": " << quantity.name;
+    }
+  }
+}
+
+TEST(Catalogue, ReconstructionsSaySo) {
+  EXPECT_EQ(find_law("joshi-1983-reconstruction").info.confidence, Confidence::reconstructed);
+  EXPECT_NE(find_law("joshi-1983-reconstruction").info.title.find("reconstruction"), std::string_view::npos);
+}
+
+TEST(Catalogue, AVariantHasTheKindOfTheLawItVaries) {
+  for (const CatalogueEntry& entry : catalogue()) {
+    if (entry.info.variant_of.empty()) continue;
+    const LawInfo& law = find_law(entry.info.variant_of).info;
+    EXPECT_EQ(law.kind, entry.info.kind) << entry.info.name;
+    EXPECT_TRUE(law.variant_of.empty()) << entry.info.name << " varies a variant";
+  }
+  EXPECT_EQ(variants_of("tenneti-2011").size(), 2u);
+}
+
+TEST(Catalogue, FlagsWhatLiesOutsideAnyOfTheRanges) {
+  const auto flagged = [](std::string_view name, const LawArguments& arguments) {
+    const CatalogueEntry& entry = find_law(name);
+    return !in_range(entry.info, arguments, entry.evaluate(arguments));
+  };
+  EXPECT_FALSE(flagged("peng-2014", {}));
+  EXPECT_TRUE(flagged("peng-2014", {.voidage = 0.40}));
+  EXPECT_TRUE(flagged("peng-2014", {.foreign_diameter = 11e-3}));  // d2/d1 = 2.2
+  EXPECT_TRUE(flagged("peng-2014", {.foreign_density = 2230.0}));  // glass: St_p = 47
+  EXPECT_TRUE(flagged("richardson-zaki-1954", {}));                // d/D = 0.1
+  EXPECT_FALSE(flagged("richardson-zaki-1954", {.column_diameter = 0.2}));
+  EXPECT_TRUE(flagged("tenneti-2011", {.voidage = 0.7, .reynolds = 301.0}));
+}
+
+// Every family is drawn over arguments that its laws can answer.
+TEST(Catalogue, EveryLawAnswersAlongItsSweep) {
+  for (const CatalogueEntry& entry : catalogue()) {
+    const Sweep& sweep = sweep_of(entry.info.kind);
+    for (const double part : {0.01, 0.5, 0.99}) {
+      const LawArguments arguments = sweep.at({}, sweep.lower + part * (sweep.upper - sweep.lower));
+      EXPECT_TRUE(std::isfinite(entry.evaluate(arguments).at(sweep.quantity).value)) << entry.info.name;
+    }
+  }
+}
+
+TEST(Catalogue, NamesTheQuantitiesItKnows) {
+  try {
+    static_cast<void>(find_law("ergun-1952").evaluate({}).at("betta"));
+    FAIL() << "an unknown quantity was answered";
+  } catch (const std::invalid_argument& error) {
+    EXPECT_NE(std::string(error.what()).find("dimensionless_drag"), std::string::npos);
+  }
+}
+
+}  // namespace
+}  // namespace slfb
