@@ -24,6 +24,7 @@ Scene water_column(double velocity) {
   scene.contact.stiffness = 1e4;
   scene.contact.time_step = 5e-5;
   scene.outlet.rule = OutletRule::remove;
+  scene.species = {{"glass", 0.005, 2230, 1}};
   return scene;
 }
 

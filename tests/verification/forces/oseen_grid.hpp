@@ -29,21 +29,22 @@ class OseenGrid {
 
   /// Shares of a sphere by exact overlap.
   static std::vector<Share> shares(const std::array<double, 3>& centre, double radius) {
-    std::vector<Share> shares;
-    const double volume = 4.0 / 3.0 * std::numbers::pi * radius * radius * radius;
-    std::array<int, 3> lower{}, upper{};
+    std::array<int, 3> lower{}, cells{};
+    std::array<PlaneRow, 3> planes;
     for (std::size_t a = 0; a < 3; ++a) {
       lower[a] = static_cast<int>(std::floor(centre[a] - radius));
-      upper[a] = static_cast<int>(std::ceil(centre[a] + radius));
+      cells[a] = static_cast<int>(std::ceil(centre[a] + radius)) - lower[a];
+      planes[a] = {(lower[a] + 1 - centre[a]) / radius, 1.0 / radius, cells[a] - 1};
     }
-    for (int i = lower[0]; i < upper[0]; ++i)
-      for (int j = lower[1]; j < upper[1]; ++j)
-        for (int k = lower[2]; k < upper[2]; ++k) {
-          const std::array<double, 3> corner{double(i), double(j), double(k)};
-          const double part =
-              sphere_box_overlap(centre, radius, corner, {corner[0] + 1.0, corner[1] + 1.0, corner[2] + 1.0}) / volume;
-          if (part > 0.0) shares.push_back({corner, part});
-        }
+    std::vector<double> parts(static_cast<std::size_t>(cells[0] * cells[1] * cells[2]));
+    unit_ball_parts(planes[0], planes[1], planes[2], parts.data());
+    std::vector<Share> shares;
+    std::size_t n = 0;
+    for (int i = 0; i < cells[0]; ++i)
+      for (int j = 0; j < cells[1]; ++j)
+        for (int k = 0; k < cells[2]; ++k, ++n)
+          if (parts[n] > 0.0)
+            shares.push_back({{double(lower[0] + i), double(lower[1] + j), double(lower[2] + k)}, parts[n]});
     return shares;
   }
 
