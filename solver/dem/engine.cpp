@@ -234,6 +234,7 @@ void Engine::pack() {
   bool moved = false;
 #pragma omp parallel for num_threads(threads_) schedule(static) reduction(|| : moved)
   for (std::size_t i = 0; i < particles.size(); ++i) {
+    fetch_ahead(i, place_, velocity_, spin_, constant_);
     const std::size_t s = slot_of_[i];
     const Vec3 x = load(particles.position, i), v = load(particles.velocity, i),
                w = load(particles.angular_velocity, i);
@@ -243,7 +244,6 @@ void Engine::pack() {
     velocity_[s] = {v.x, v.y, v.z, inverse_mass};
     spin_[s] = {w.x, w.y, w.z, 1.0 / particles.inertia(i)};
     constant_[s].set(inverse_mass * load(external_force, i));
-    wall_lift_[s] = {};
   }
   if (moved) travel_ = std::numeric_limits<double>::infinity();
 }
@@ -264,6 +264,7 @@ void Engine::unpack(std::int64_t steps) {
   const double inverse_time = 1.0 / (static_cast<double>(steps) * time_step_);
 #pragma omp parallel for num_threads(threads_) schedule(static)
   for (std::size_t i = 0; i < particles.size(); ++i) {
+    fetch_ahead(i, place_, velocity_, spin_, events_);
     const std::size_t s = slot_of_[i];
     const Vec3 v = velocity_[s].vector();
     const Vec3 gained = (particles.inertial_mass(i) * inverse_time) * (v - load(particles.velocity, i));
@@ -719,7 +720,10 @@ void Engine::advance(std::int64_t steps) {
   }
   pack();
   tracked_sum_ = {};
-  for_shares([&](Share& share) { (this->*predict_)(share.first, share.last); });
+  for_shares([&](Share& share) {
+    for (std::size_t s = share.first; s < share.last; ++s) wall_lift_[s] = {};
+    (this->*predict_)(share.first, share.last);
+  });
   std::int64_t done = 0;
   try {
     for (; done < steps; ++done) one_step(done + 1 == steps ? StepMode::final : StepMode::middle);

@@ -134,6 +134,14 @@ class Engine {
   void resize_particle_arrays();
   void number_order();
   [[nodiscard]] bool moved_by_caller(std::size_t slot) const;
+  /// Slots are far apart in memory when the spheres are visited by their numbers: asks for those of a later one.
+  template <class... Columns>
+  void fetch_ahead(std::size_t i, const Columns&... columns) const {
+    constexpr std::size_t ahead = 12;
+    if (i + ahead >= slot_of_.size()) return;
+    const std::size_t s = slot_of_[i + ahead];
+    (__builtin_prefetch(&columns[s], 1), ...);
+  }
   void pack();
   void unpack(std::int64_t steps);
 
