@@ -7,6 +7,7 @@
 #include <stdexcept>
 #include <vector>
 
+#include "solver/coupling/forces/lubrication.hpp"
 #include "solver/dem/cell_search.hpp"
 #include "solver/dem/collision_statistics.hpp"
 #include "solver/dem/contact_batch.hpp"
@@ -45,6 +46,10 @@ class Engine {
   ~Engine();
   Engine(Engine&&) noexcept;
   Engine& operator=(Engine&&) = delete;
+
+  /// From now on the liquid between nearly touching spheres, and walls, resists their approach. Its forces count among
+  /// those of contacts. To be called before the first sphere is added.
+  void lubricate(const coupling::Lubrication& lubrication) { lubrication_ = lubrication; }
 
   Particles particles;         ///< may be changed between calls of advance(); masses and radii only before the first
   VectorField external_force;  ///< on each sphere, constant over a call of advance() [N]; sized by add_particle
@@ -156,6 +161,7 @@ class Engine {
   template <class Work>
   void for_shares(Work work);
   void one_step(StepMode mode);
+  void add_lubrication();
   std::size_t find_touching(const PairList& list, std::uint32_t first, std::uint32_t last,
                             std::uint32_t* touching) const;
   template <bool AtWall, class Rolling, class Law, class Second, class Take>
@@ -241,6 +247,7 @@ class Engine {
   std::array<double, 3> mean_tracked_force_{};
   double maximum_overlap_ = 0.0;
   bool collect_collisions_ = false;
+  std::optional<coupling::Lubrication> lubrication_;
 };
 
 }  // namespace slfb::dem
