@@ -14,7 +14,8 @@ struct FigureContext {
   const Profile& profile;
   const std::vector<FinishedRun>& runs;
   const Measurements& measurements;
-  std::filesystem::path out;  ///< folder of the figure's files
+  std::filesystem::path out;      ///< folder of the figure's files
+  std::filesystem::path results;  ///< folder of runs/, for figures that draw runs of another profile
 };
 
 /// What a figure left behind: ID.svg, ID.png, ID.pdf, one or more CSV, ID.gp (the gnuplot script that redraws it).

@@ -1,3 +1,4 @@
+#include "experiments/drag_law_question/drag_law_question.hpp"
 #include "experiments/fig01_void_fraction_schemes/fig01.hpp"
 #include "experiments/fig05_pressure_drop/fig05.hpp"
 #include "experiments/fig08_history/fig08.hpp"
@@ -12,8 +13,11 @@
 namespace slfb {
 
 const std::vector<Figure>& figures() {
-  static const std::vector<Figure> list{
-      fig01(), fig05(), fig08(), fig09(), fig10(), fig13(), fig25(), kinetic_theory(), frontier_integrators()};
+  static const std::vector<Figure> list{fig01(),          fig05(),
+                                        fig08(),          fig09(),
+                                        fig10(),          fig13(),
+                                        fig25(),          drag_law_question(),
+                                        kinetic_theory(), frontier_integrators()};
   return list;
 }
 

@@ -10,6 +10,7 @@
 
 #include "experiments/bench/coupled_bench.hpp"
 #include "experiments/bench/dem_bench.hpp"
+#include "experiments/bench/fluid_bench.hpp"
 
 namespace slfb {
 namespace {
@@ -124,6 +125,46 @@ void bench_coupled(const CoupledOptions& options) {
   if (options.json) fmt::print("{}\n", nlohmann::ordered_json{{"results", results}}.dump(2));
 }
 
+struct FluidOptions {
+  std::vector<int> cells_across{5, 7, 10, 14};
+  std::vector<std::string> overrides;
+  int threads = 1;
+  std::int64_t steps = 200;
+  bool json = false;
+};
+
+void bench_fluid(const FluidOptions& options) {
+  nlohmann::ordered_json results = nlohmann::ordered_json::array();
+  if (!options.json)
+    fmt::print("{:>12} {:>8} {:>8} {:>10} {:>12} {:>12} {:>12} {:>14}\n", "cells across", "cells", "threads",
+               "ms a step", "momentum ms", "pressure ms", "iterations", "ns a cell step");
+  for (const int across : options.cells_across) {
+    bench::CoupledCase chosen = bench::coupled_cases().back();
+    chosen.overrides.push_back(fmt::format("fluid.cells_across={}", across));
+    chosen.overrides.push_back(fmt::format("fluid.cell_height={} mm", 50.0 / across));
+    chosen.overrides.insert(chosen.overrides.end(), options.overrides.begin(), options.overrides.end());
+    const auto timing = bench::time_fluid(bench::scene_of(chosen), options.threads, options.steps);
+    const double per_step = 1e3 / static_cast<double>(timing.steps);
+    if (options.json) {
+      results.push_back({{"cells_across", across},
+                         {"cells", timing.cells},
+                         {"threads", timing.threads},
+                         {"steps", timing.steps},
+                         {"milliseconds_per_step", timing.seconds * per_step},
+                         {"momentum_milliseconds_per_step", timing.momentum * per_step},
+                         {"pressure_milliseconds_per_step", timing.pressure * per_step},
+                         {"pressure_iterations_per_step", timing.iterations_per_step},
+                         {"continuity_error", timing.continuity_error},
+                         {"nanoseconds_per_cell_step", timing.nanoseconds_per_cell_step()}});
+      continue;
+    }
+    fmt::print("{:12} {:8} {:8} {:10.2f} {:12.2f} {:12.2f} {:12.1f} {:14.0f}\n", across, timing.cells, timing.threads,
+               timing.seconds * per_step, timing.momentum * per_step, timing.pressure * per_step,
+               timing.iterations_per_step, timing.nanoseconds_per_cell_step());
+  }
+  if (options.json) fmt::print("{}\n", nlohmann::ordered_json{{"results", results}}.dump(2));
+}
+
 }  // namespace
 
 void add_bench_command(CLI::App& app) {
@@ -154,6 +195,22 @@ void add_bench_command(CLI::App& app) {
       "Example:\n  slfb bench dem --scene A C --threads 2\n\n"
       "tests/bench/compare_dem times LAMMPS and LIGGGHTS beside it.");
   dem->callback([options] { bench_dem(*options); });
+
+  auto fluid_options = std::make_shared<FluidOptions>();
+  CLI::App* fluid = bench->add_subcommand(
+      "fluid",
+      "The liquid alone, in the paper's column on meshes of several sizes.\nA frozen bed in the lower half, uneven and "
+      "changing as a coupled one is; liquid step 1e-4 s.");
+  fluid->add_option("--cells-across", fluid_options->cells_across, "Cells over the diameter; several are timed in turn")
+      ->check(CLI::Range(2, 100))
+      ->capture_default_str();
+  fluid->add_option("--threads", fluid_options->threads, "Threads")->check(CLI::PositiveNumber)->capture_default_str();
+  fluid->add_option("--steps", fluid_options->steps, "Timed steps")->check(CLI::PositiveNumber)->capture_default_str();
+  fluid->add_option("--set", fluid_options->overrides,
+                    "Change the scene: a dotted key of the scene file and a value, as in fluid.convection=upwind");
+  fluid->add_flag("--json", fluid_options->json, "Results for programs");
+  fluid->footer("Example:\n  slfb bench fluid --cells-across 7 14 --set fluid.time_step=1e-3");
+  fluid->callback([fluid_options] { bench_fluid(*fluid_options); });
 
   auto coupled_options = std::make_shared<CoupledOptions>();
   std::string cases;

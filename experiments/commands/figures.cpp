@@ -92,7 +92,7 @@ int make_figures(const Options& options) {
   const auto figures_folder = options.out / "figures";
   std::filesystem::create_directories(figures_folder);
   std::vector<FigureOutput> outputs;
-  for (const auto& figure : figures()) outputs.push_back(figure.draw({profile, runs, measurements, figures_folder}));
+  for (const auto& figure : figures()) outputs.push_back(figure.draw({profile, runs, measurements, figures_folder, options.out}));
 
   const auto evaluations = evaluate(load_claims(), measurements);
   const auto report_folder = options.out / "report";

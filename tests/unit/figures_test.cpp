@@ -70,7 +70,7 @@ Drawn draw_all(bool with_runs, const fs::path& folder) {
   drawn.measurements = measure_laws();
   drawn.measurements.merge(measure_runs(drawn.runs));
   for (const auto& figure : figures())
-    drawn.outputs.push_back(figure.draw({drawn.profile, drawn.runs, drawn.measurements, folder}));
+    drawn.outputs.push_back(figure.draw({drawn.profile, drawn.runs, drawn.measurements, folder, folder}));
   return drawn;
 }
 
