@@ -4,7 +4,6 @@
 #include <cmath>
 #include <numbers>
 #include <stdexcept>
-#include <utility>
 
 #include "solver/coupling/sphere_overlap.hpp"
 
@@ -148,35 +147,6 @@ void VolumeShares::update(const dem::Particles& particles, int threads) {
       cut_sphere(block, x, r, parts);
     keep_occupied(i, block);
   }
-  sort_by_cell(threads);
-}
-
-void VolumeShares::sort_by_cell(int threads) {
-  // Counting sort: every thread counts its run of spheres, so that each knows where in a cell's list its spheres go.
-  const std::size_t n = count_.size(), cells = grid_.size(), runs = static_cast<std::size_t>(threads);
-  const auto run_begin = [&](std::size_t run) { return n * run / runs; };
-  place_.assign(runs * cells, 0);
-  list_begin_.resize(cells + 1);
-#pragma omp parallel for num_threads(threads) schedule(static, 1)
-  for (std::size_t run = 0; run < runs; ++run)
-    for (std::size_t i = run_begin(run); i < run_begin(run + 1); ++i)
-      for (int m = 0; m < count_[i]; ++m) ++place_[run * cells + this->cells(i)[m]];
-  std::uint32_t entries = 0;
-  for (std::size_t c = 0; c < cells; ++c) {
-    list_begin_[c] = entries;
-    for (std::size_t run = 0; run < runs; ++run) entries += std::exchange(place_[run * cells + c], entries);
-  }
-  list_begin_[cells] = entries;
-  list_sphere_.resize(entries);
-  list_share_.resize(entries);
-#pragma omp parallel for num_threads(threads) schedule(static, 1)
-  for (std::size_t run = 0; run < runs; ++run)
-    for (std::size_t i = run_begin(run); i < run_begin(run + 1); ++i)
-      for (int m = 0; m < count_[i]; ++m) {
-        const std::uint32_t entry = place_[run * cells + this->cells(i)[m]]++;
-        list_sphere_[entry] = static_cast<std::uint32_t>(i);
-        list_share_[entry] = shares(i)[m];
-      }
 }
 
 }  // namespace slfb::coupling

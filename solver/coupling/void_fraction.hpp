@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <vector>
@@ -25,18 +26,34 @@ class VolumeShares {
   [[nodiscard]] const double* shares(std::size_t i) const { return &share_[i * stride_]; }
   [[nodiscard]] int count(std::size_t i) const { return count_[i]; }
 
-  /// Σ_i φ_ic value_i per cell, of several fields at once. Each cell adds up its own spheres in their order, so that
-  /// the sum is the same at any number of threads.
+  /// Σ_i φ_ic value_i per cell, of several fields at once. The spheres are cut into runs, the same at any number of
+  /// threads, each with sums of its own, which are then added in the order of the runs.
   template <std::size_t fields>
   void scatter(const std::array<const std::vector<double>*, fields>& values,
                const std::array<std::vector<double>*, fields>& cells, int threads) const {
-    for (auto* field : cells) field->resize(grid_.size());
-#pragma omp parallel for num_threads(threads) schedule(static)
-    for (std::size_t c = 0; c < grid_.size(); ++c) {
-      std::array<double, fields> sum{};
-      for (std::uint32_t entry = list_begin_[c]; entry < list_begin_[c + 1]; ++entry)
-        for (std::size_t f = 0; f < fields; ++f) sum[f] += list_share_[entry] * (*values[f])[list_sphere_[entry]];
-      for (std::size_t f = 0; f < fields; ++f) (*cells[f])[c] = sum[f];
+    const std::size_t n = count_.size(), size = grid_.size();
+    for (auto* field : cells) field->resize(size);
+    sums_.resize(runs * size * fields);
+#pragma omp parallel num_threads(threads)
+    {
+#pragma omp for schedule(static, 1)
+      for (std::size_t run = 0; run < runs; ++run) {
+        double* sums = &sums_[run * size * fields];
+        std::fill_n(sums, size * fields, 0.0);
+        for (std::size_t i = n * run / runs; i < n * (run + 1) / runs; ++i)
+          for (int m = 0; m < count_[i]; ++m) {
+            const double share = shares(i)[m];
+            double* sum = sums + this->cells(i)[m] * fields;
+            for (std::size_t f = 0; f < fields; ++f) sum[f] += share * (*values[f])[i];
+          }
+      }
+#pragma omp for schedule(static)
+      for (std::size_t c = 0; c < size; ++c)
+        for (std::size_t f = 0; f < fields; ++f) {
+          double sum = 0.0;
+          for (std::size_t run = 0; run < runs; ++run) sum += sums_[(run * size + c) * fields + f];
+          (*cells[f])[c] = sum;
+        }
     }
   }
   void scatter(const std::vector<double>& values, std::vector<double>& cells) const {
@@ -83,8 +100,6 @@ class VolumeShares {
   void cut_sphere(const Block& block, const std::array<double, 3>& x, double r, double* parts) const;
   /// Turns the shares of the block's cells, written where sphere i keeps its own, into cells and shares.
   void keep_occupied(std::size_t i, const Block& block);
-  /// Lists each cell's spheres and shares.
-  void sort_by_cell(int threads);
 
   VoidFractionScheme scheme_;
   const fluid::ColumnGrid& grid_;
@@ -95,10 +110,8 @@ class VolumeShares {
   std::vector<std::uint32_t> cell_;
   std::vector<double> share_;
   std::vector<int> count_;
-  // The same shares, cell after cell; a cell's spheres in their order.
-  std::vector<std::uint32_t> list_begin_, list_sphere_;
-  std::vector<double> list_share_;
-  std::vector<std::uint32_t> place_;  ///< where the next sphere of a thread goes in each cell's list
+  static constexpr std::size_t runs = 4;  ///< of spheres, in scatter
+  mutable std::vector<double> sums_;      ///< of each run, cell and field
 };
 
 }  // namespace slfb::coupling
