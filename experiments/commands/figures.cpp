@@ -16,6 +16,7 @@
 #include "experiments/inconsistencies.hpp"
 #include "experiments/measure.hpp"
 #include "experiments/run_campaign.hpp"
+#include "experiments/run_files.hpp"
 #include "reports/report.hpp"
 
 namespace slfb {
@@ -38,6 +39,7 @@ struct Options {
   int threads = 0;  // 0: share the cores among the jobs
   std::filesystem::path out = SLFB_BUILD_DIR;
   bool no_run = false;
+  bool publish = false;
 };
 
 std::string known_ids() {
@@ -74,6 +76,17 @@ CampaignOptions campaign_options(const Options& options, std::size_t runs) {
   return {.out = options.out, .jobs = jobs, .threads_per_run = threads, .progress = true};
 }
 
+/// Puts the finished results of a profile where they can be committed; figures use them where nothing is simulated.
+void publish(const Profile& profile, const std::filesystem::path& out) {
+  for (const RunSpec& spec : profile.runs) {
+    const auto result = result_file(out, scene_hash(load_run_scene(spec)));
+    if (!std::filesystem::exists(result)) continue;
+    std::filesystem::create_directories(published_file(spec).parent_path());
+    std::filesystem::copy_file(result, published_file(spec), std::filesystem::copy_options::overwrite_existing);
+    fmt::print("published {}\n", published_file(spec).string());
+  }
+}
+
 /// Returns the exit status, which tells of simulations that failed or were interrupted.
 int make_figures(const Options& options) {
   const auto chosen = choose(options.ids);
@@ -84,6 +97,8 @@ int make_figures(const Options& options) {
     if (!needed.empty()) outcome = run_campaign(needed, campaign_options(options, needed.size()));
   }
 
+  if (options.publish) publish(profile, options.out);
+
   const auto runs = finished_runs(profile, options.out);
   Measurements measurements = measure_laws();
   measurements.merge(measure_runs(runs));
@@ -92,7 +107,8 @@ int make_figures(const Options& options) {
   const auto figures_folder = options.out / "figures";
   std::filesystem::create_directories(figures_folder);
   std::vector<FigureOutput> outputs;
-  for (const auto& figure : figures()) outputs.push_back(figure.draw({profile, runs, measurements, figures_folder, options.out}));
+  for (const auto& figure : figures())
+    outputs.push_back(figure.draw({profile, runs, measurements, figures_folder, options.out}));
 
   const auto evaluations = evaluate(load_claims(), measurements);
   const auto report_folder = options.out / "report";
@@ -115,7 +131,9 @@ void add_figures_command(CLI::App& app) {
   auto options = std::make_shared<Options>();
   CLI::App* command = app.add_subcommand("figures", "Simulate what is missing, draw the figures, write the report");
   command->add_option("ID", options->ids, "figures to simulate for: " + known_ids() + " (default: all)");
-  command->add_option("--profile", options->profile, "settings of the simulations: quick or full")
+  command
+      ->add_option("--profile", options->profile,
+                   "settings of the simulations: quick, full, or drag-law (the runs of that figure)")
       ->capture_default_str();
   command->add_option("--jobs", options->jobs, "simulations side by side (default: one per core)")
       ->check(CLI::PositiveNumber);
@@ -123,6 +141,8 @@ void add_figures_command(CLI::App& app) {
       ->check(CLI::PositiveNumber);
   command->add_option("--out", options->out, "folder of runs/, figures/ and report/")->capture_default_str();
   command->add_flag("--no-run", options->no_run, "simulate nothing, draw with what exists");
+  command->add_flag("--publish", options->publish,
+                    "copy the finished results of the profile to reports/published/runs, to be committed");
   command->footer(examples);
   command->callback([options] {
     if (const int status = make_figures(*options); status != 0) throw CLI::RuntimeError(status);
