@@ -99,7 +99,7 @@ FigureOutput draw(const FigureContext& outer) {
   for (const Combination& c : combinations) {
     DataTable table{fmt::format("drag_law_{}", c.variant),
                     {"superficial velocity [m/s]", "voidage [-]", "half width [-]", "V_2 [m/s]", "half width [m/s]",
-                     "|F_c|/mg [-]", "half width [-]", "drag over weight [-]", "CPU seconds per simulated second"},
+                     "|F_c|/mg [-]", "half width [-]", "drag over weight [-]", "wall seconds per simulated second"},
                     {}};
     double squares = 0.0;
     int counted = 0;
@@ -128,10 +128,13 @@ FigureOutput draw(const FigureContext& outer) {
     sentences += fmt::format("{}{}: {:.0f} %", sentences.empty() ? "" : "; ", title, 100.0 * deviation);
     if (deviation < least) least = deviation, nearest = title;
     output.data.push_back(write_csv(table, outer.out));
+    // Points and bars apart: a mean without an interval still has its point.
     const auto series = [&](int column, int x_column, double shift, bool titled) {
+      const std::string style = fmt::format("linecolor rgb {} pointtype {} pointsize 0.8", c.colour, c.point_type);
       return fmt::format(
-          ", '{}.csv' skip 1 using (${}+{}):{}:{} with yerrorbars linecolor rgb {} pointtype {} pointsize 0.8 {}",
-          table.name, x_column, shift, column, column + 1, c.colour, c.point_type,
+          ", '{0}.csv' skip 1 using (${1}+{2}):{3}:{4} with yerrorbars {5} notitle, "
+          "'' skip 1 using (${1}+{2}):{3} with points {5} {6}",
+          table.name, x_column, shift, column, column + 1, style,
           titled ? fmt::format("title '{}'", title) : std::string("notitle"));
     };
     voidages += series(2, 1, c.shift, true);
@@ -152,23 +155,23 @@ FigureOutput draw(const FigureContext& outer) {
         sentences, nearest);
 
   const std::string script =
-      "set multiplot\nset tmargin at screen 1 - 62.0/height\nset bmargin at screen base + 52.0/height\n"
+      "set multiplot\nset tmargin at screen 1 - 16.0/height\nset bmargin at screen base + 52.0/height\n"
       "set xrange [0.04:0.22]\nset xtics 0.04\nset xlabel 'U_L [m/s]'\n"
-      "set key at screen 0.5, screen 1 - 4.0/height center top horizontal maxcols 4 font ',11'\n"
-      "set lmargin at screen 0.065\nset rmargin at screen 0.325\nset ylabel 'voidage [-]'\nset yrange [0.4:0.9]\n"
+      "set key at screen 0.835, screen 1 - 16.0/height left top Left reverse font ',11'\n"
+      "set lmargin at screen 0.055\nset rmargin at screen 0.26\nset ylabel 'voidage [-]'\nset yrange [0.4:0.9]\n"
       "plot 'drag_law_homogeneous.csv' skip 1 using 1:2 with lines linecolor rgb ours title 'homogeneous, Gidaspow', "
       "'' skip 1 using 1:3 with lines linecolor rgb variant title 'homogeneous, Wen-Yu', "
       "'drag_law_paper.csv' skip 1 using 1:2 with points linecolor rgb paper pointtype 2 pointsize 0.9 title 'paper'" +
       voidages +
       "\neval footer_drawn\nunset key\n"
-      "set lmargin at screen 0.395\nset rmargin at screen 0.655\nset ylabel 'V_2 [m/s]'\nset yrange [0:0.5]\n"
+      "set lmargin at screen 0.325\nset rmargin at screen 0.53\nset ylabel 'V_2 [m/s]'\nset yrange [0:0.5]\n"
       "plot 'drag_law_paper.csv' skip 1 using 1:3 with points linecolor rgb paper pointtype 2 pointsize 0.9 notitle" +
       velocities +
-      "\nset lmargin at screen 0.725\nset rmargin at screen 0.985\nset xrange [0.44:0.9]\nset xtics 0.1\n"
+      "\nset lmargin at screen 0.595\nset rmargin at screen 0.80\nset xrange [0.44:0.9]\nset xtics 0.1\n"
       "set xlabel 'voidage [-]'\nset ylabel '|F_c|/mg [-]'\nset yrange [0:1.2]\n"
       "plot 'drag_law_equation_40.csv' skip 1 using 1:2 with lines linecolor rgb paper notitle" +
       forces + "\nunset multiplot\n";
-  draw_figure_of_runs("drag-law", script, {960, 400}, context, keys);
+  draw_figure_of_runs("drag-law", script, {1080, 400}, context, keys);
   return output;
 }
 
