@@ -8,12 +8,13 @@
 #include "experiments/figure.hpp"
 #include "experiments/frontier/integrators.hpp"
 #include "experiments/kinetic_theory/kinetic_theory.hpp"
+#include "experiments/pressure_noise/pressure_noise.hpp"
 
 namespace slfb {
 
 const std::vector<Figure>& figures() {
   static const std::vector<Figure> list{
-      fig01(), fig05(), fig08(), fig09(), fig10(), fig13(), fig25(), kinetic_theory(), frontier_integrators()};
+      fig01(), fig05(), fig08(), fig09(), fig10(), fig13(), fig25(), kinetic_theory(), frontier_integrators(), pressure_noise()};
   return list;
 }
 
