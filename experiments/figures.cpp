@@ -9,15 +9,22 @@
 #include "experiments/figure.hpp"
 #include "experiments/frontier/integrators.hpp"
 #include "experiments/kinetic_theory/kinetic_theory.hpp"
+#include "experiments/pressure_noise/pressure_noise.hpp"
 
 namespace slfb {
 
 const std::vector<Figure>& figures() {
-  static const std::vector<Figure> list{fig01(),          fig05(),
-                                        fig08(),          fig09(),
-                                        fig10(),          fig13(),
-                                        fig25(),          drag_law_question(),
-                                        kinetic_theory(), frontier_integrators()};
+  static const std::vector<Figure> list{fig01(),
+                                        fig05(),
+                                        fig08(),
+                                        fig09(),
+                                        fig10(),
+                                        fig13(),
+                                        fig25(),
+                                        drag_law_question(),
+                                        pressure_noise(),
+                                        kinetic_theory(),
+                                        frontier_integrators()};
   return list;
 }
 

@@ -11,6 +11,7 @@
 #include "experiments/bench/coupled_bench.hpp"
 #include "experiments/bench/dem_bench.hpp"
 #include "experiments/bench/fluid_bench.hpp"
+#include "experiments/pressure_noise/noise_study.hpp"
 
 namespace slfb {
 namespace {
@@ -238,6 +239,18 @@ void add_bench_command(CLI::App& app) {
   coupled->add_flag("--json", coupled_options->json, "Results for programs");
   coupled->footer("Example:\n  slfb bench coupled --case paper-3mm --threads 2 --set fluid.time_step=2e-4");
   coupled->callback([coupled_options] { bench_coupled(*coupled_options); });
+
+  auto file = std::make_shared<std::string>("experiments/pressure_noise/pressure_noise.csv");
+  CLI::App* noise = bench->add_subcommand(
+      "pressure-noise",
+      "Makes the results anew that the figure pressure-noise draws: the pressure drop of a\nfluidised bed step by "
+      "step, "
+      "with every void-fraction scheme at four steps of the liquid\n(some ten minutes on one core).");
+  noise->add_option("--out", *file, "File")->capture_default_str();
+  noise->callback([file] {
+    noise::run_study(*file, "slfb bench pressure-noise",
+                     [](const std::string& text) { fmt::print(stderr, "slfb: {}\n", text); });
+  });
 }
 
 }  // namespace slfb

@@ -41,10 +41,10 @@ PhaseCoupling::PhaseCoupling(const Scene& scene, fluid::LiquidSolver* liquid, do
 
 void PhaseCoupling::resize(std::size_t n) {
   for (auto* field : {&volume_, &voidage_, &reynolds_, &coefficient_, &damped_coefficient_, &next_coefficient_,
-                      &further_coefficient_})
+                      &further_coefficient_, &stressed_volume_})
     field->resize(n);
-  for (auto* fields : {&velocity_correction_, &liquid_velocity_, &drag_, &free_velocity_, &predicted_velocity_,
-                       &momentum_, &further_force_, &further_reaction_})
+  for (auto* fields : {&velocity_correction_, &liquid_velocity_, &drag_, &free_velocity_, &momentum_, &further_force_,
+                       &further_reaction_})
     for (auto& field : *fields) field.resize(n, 0.0);
 }
 
@@ -105,8 +105,7 @@ void PhaseCoupling::read_at_spheres(const dem::Engine& engine, double time_step)
   const dem::Particles& particles = engine.particles;
   const double density = scene_.liquid.density, viscosity = scene_.liquid.viscosity;
   const bool explicit_exchange = scene_.coupling.exchange == MomentumExchange::explicit_in_time;
-  const bool implicit = scene_.coupling.exchange == MomentumExchange::implicit, corrected = slip_is_corrected(),
-             further = further_.any();
+  const bool corrected = slip_is_corrected(), further = further_.any();
   const auto n = static_cast<std::int64_t>(particles.size());
   constexpr std::int64_t block = 256;
 #pragma omp parallel for num_threads(engine.threads()) schedule(static)
@@ -165,9 +164,7 @@ void PhaseCoupling::read_at_spheres(const dem::Engine& engine, double time_step)
       for (std::size_t a = 0; a < 3; ++a) {
         double other = solid[a] + (a == 2 ? buoyant_weight : 0.0);
         if (further) other += further_force_[a][i];
-        const double free = v[a] + per_inertia * other;
-        if (implicit) free_velocity_[a][i] = free;
-        predicted_velocity_[a][i] = free + per_inertia * volume * value[CellValues::stress_x + a];
+        free_velocity_[a][i] = v[a] + per_inertia * other;
         if (explicit_exchange)  // the force itself, as momentum that the liquid gains
           drag_[a][i] = coefficient_[i] *
                         (value[CellValues::velocity_x + a] + (corrected ? velocity_correction_[a][i] : 0.0) - v[a]);
@@ -176,7 +173,9 @@ void PhaseCoupling::read_at_spheres(const dem::Engine& engine, double time_step)
   }
 }
 
-void PhaseCoupling::give_to_liquid(const dem::Engine& engine) {
+/// The stress that is in v' acts through the drag on the liquid: the liquid is solved with it. Taken from before the
+/// step it would be returned amplified by up to (1 − α)/α, and grow without bound where the drag is stiff.
+void PhaseCoupling::give_to_liquid(const dem::Engine& engine, double time_step) {
   const bool explicit_exchange = scene_.coupling.exchange == MomentumExchange::explicit_in_time;
   const bool corrected = slip_is_corrected();
   const auto n = static_cast<std::int64_t>(coefficient_.size());
@@ -184,21 +183,23 @@ void PhaseCoupling::give_to_liquid(const dem::Engine& engine) {
   for (std::int64_t k = 0; k < n; ++k) {
     const auto i = static_cast<std::size_t>(k);
     if (explicit_exchange) damped_coefficient_[i] = 0.0;
+    stressed_volume_[i] = volume_[i] * damped_coefficient_[i] * time_step / engine.particles.inertial_mass(i);
     for (std::size_t a = 0; a < 3; ++a) {
       const double correction = corrected ? velocity_correction_[a][i] : 0.0;
-      momentum_[a][i] =
-          explicit_exchange ? -drag_[a][i] : damped_coefficient_[i] * (predicted_velocity_[a][i] - correction);
+      momentum_[a][i] = explicit_exchange ? -drag_[a][i] : damped_coefficient_[i] * (free_velocity_[a][i] - correction);
     }
     if (further_.any())
       for (std::size_t a = 0; a < 3; ++a) momentum_[a][i] += further_reaction_[a][i];
   }
-  shares_->scatter<4>({&damped_coefficient_, &momentum_[0], &momentum_[1], &momentum_[2]},
-                      {&scattered_[0], &scattered_[1], &scattered_[2], &scattered_[3]}, engine.threads());
+  shares_->scatter<5>({&damped_coefficient_, &momentum_[0], &momentum_[1], &momentum_[2], &stressed_volume_},
+                      {&scattered_[0], &scattered_[1], &scattered_[2], &scattered_[3], &scattered_[4]},
+                      engine.threads());
   for (auto& field : scattered_) smoothing_->scatter(field, engine.threads());
 #pragma omp parallel for num_threads(std::min(engine.threads(), 3)) schedule(static)
   for (std::size_t a = 0; a < 3; ++a) {
     liquid_->scatter(a, scattered_[0], exchange_.coefficient[a]);
     liquid_->scatter(a, scattered_[a + 1], exchange_.source[a]);
+    liquid_->scatter(a, scattered_[4], exchange_.volume[a]);
   }
 }
 
@@ -208,7 +209,7 @@ void PhaseCoupling::give_to_spheres(dem::Engine& engine, double time_step) {
   const std::array<std::vector<double>*, 3> external{&engine.external_force.x, &engine.external_force.y,
                                                      &engine.external_force.z};
   const bool explicit_exchange = scene_.coupling.exchange == MomentumExchange::explicit_in_time;
-  const bool implicit = scene_.coupling.exchange == MomentumExchange::implicit, corrected = slip_is_corrected();
+  const bool corrected = slip_is_corrected();
   const auto n = static_cast<std::int64_t>(particles.size());
 #pragma omp parallel for num_threads(engine.threads()) schedule(static)
   for (std::int64_t k = 0; k < n; ++k) {
@@ -227,12 +228,13 @@ void PhaseCoupling::give_to_spheres(dem::Engine& engine, double time_step) {
       double u = value[CellValues::velocity_x + a];
       if (corrected) u += velocity_correction_[a][i];
       liquid_velocity_[a][i] = u;
-      if (!explicit_exchange) drag_[a][i] = damped_coefficient_[i] * (u - predicted_velocity_[a][i]);
       const double stress_force = volume * value[CellValues::stress_x + a];
+      if (!explicit_exchange) {
+        const double without_drag = free_velocity_[a][i] + time_step / particles.inertial_mass(i) * stress_force;
+        drag_[a][i] = damped_coefficient_[i] * (u - without_drag);
+      }
       (*external[a])[i] = drag_[a][i] + stress_force;
       if (further_.any()) (*external[a])[i] += further_force_[a][i];
-      if (implicit)
-        predicted_velocity_[a][i] = free_velocity_[a][i] + time_step / particles.inertial_mass(i) * stress_force;
     }
     (*external[2])[i] -= gravity * (particles.mass[i] - scene_.liquid.density * volume);
   }
@@ -281,7 +283,7 @@ void PhaseCoupling::advance(dem::Engine& engine, double time_step) {
   fluid::LiquidSolver::State start;
   if (implicit) start = liquid_->state();
   for (;; ++passes_) {
-    give_to_liquid(engine);
+    give_to_liquid(engine, time_step);
     liquid_->advance(time_step, liquid_before_, liquid_now_, exchange_);
     read_liquid(engine.threads());
     give_to_spheres(engine, time_step);
@@ -367,7 +369,8 @@ double PhaseCoupling::drag_taken_from_liquid(std::size_t a) const {
   double sum = 0.0;
   const auto& velocity = liquid_->velocity(a);
   for (std::size_t n = 0; n < velocity.size(); ++n)
-    sum += exchange_.coefficient[a][n] * velocity[n] - exchange_.source[a][n];
+    sum += exchange_.coefficient[a][n] * velocity[n] - exchange_.source[a][n] -
+           exchange_.volume[a][n] * (liquid_->viscous_force(a)[n] - liquid_->pressure_gradient(a)[n]);
   return sum;
 }
 

@@ -19,9 +19,10 @@ namespace slfb::coupling {
 ///
 /// The drag on a sphere is K (u − v) with K = V β/(1 − α), linearised at the old slip. In the semi-implicit scheme it
 /// is implicit in both velocities: with v advanced by Eq. 35, F = K' (u − v'), K' = K/(1 + K Δt/m) and v' the velocity
-/// that all other forces alone would give. The liquid is solved with K' and v' on its momentum nodes, and the spheres
-/// then receive exactly the same F as a constant force over their steps. The implicit scheme repeats this with β at the
-/// new slip until it no longer changes; the explicit one takes F = K (u − v) from before the step.
+/// that all other forces alone would give. The liquid is solved with K' and v' on its momentum nodes, the stress in v'
+/// being that of the same moment, and the spheres then receive exactly the same F as a constant force over their steps.
+/// The implicit scheme repeats this with β at the new slip until it no longer changes; the explicit one takes F = K (u
+/// − v) from before the step.
 ///
 /// The spheres' shares φ that make the void fraction also gather the liquid's velocity, pressure gradient and viscous
 /// force, so that every impulse on one phase is taken from the other. Where voidage and velocity are asked for at the
@@ -81,7 +82,7 @@ class PhaseCoupling {
   void read_at_spheres(const dem::Engine& engine, double time_step);
   void apply_further_forces(dem::Engine& engine);
   [[nodiscard]] double own_concentration(std::size_t i) const;
-  void give_to_liquid(const dem::Engine& engine);
+  void give_to_liquid(const dem::Engine& engine, double time_step);
   void give_to_spheres(dem::Engine& engine, double time_step);
   [[nodiscard]] double update_coefficient(const dem::Engine& engine, double time_step);
 
@@ -99,14 +100,14 @@ class PhaseCoupling {
   bool cells_valid_ = false;
   /// Per cell: u [m/s], dynamic ∇p [Pa/m], −∇p + ∇·τ [N/m³].
   std::array<std::vector<double>, 3> cell_velocity_, pressure_gradient_, cell_stress_;
-  std::array<std::vector<double>, 4> scattered_;  ///< per cell: K', then K' v'
+  std::array<std::vector<double>, 5> scattered_;  ///< per cell: K', K' v' without stress, its volume
   fluid::Exchange exchange_;
   std::vector<double> volume_, voidage_, reynolds_, coefficient_, damped_coefficient_, next_coefficient_;
   /// Of the sphere's centre over the mean by shares, of the liquid's velocity [m/s].
   std::array<std::vector<double>, 3> velocity_correction_;
   std::array<std::vector<double>, 3> liquid_velocity_, drag_, momentum_;
-  /// v advanced without the liquid's stress and drag, and v': without the drag [m/s].
-  std::array<std::vector<double>, 3> free_velocity_, predicted_velocity_;
+  std::array<std::vector<double>, 3> free_velocity_;  ///< v advanced without the liquid's stress and drag [m/s]
+  std::vector<double> stressed_volume_;  ///< V K' Δt/m: through it the stress in v' acts on the liquid [m³]
   /// Of the further forces: on the spheres and on the liquid [N], and beside K [kg/s].
   std::array<std::vector<double>, 3> further_force_, further_reaction_;
   std::vector<double> further_coefficient_;

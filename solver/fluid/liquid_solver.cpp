@@ -356,6 +356,16 @@ void LiquidSolver::add_net_outflow() {
   }
 }
 
+/// Stress moves the liquid's own volume, and through the drag what the spheres pass on of theirs.
+void LiquidSolver::put_stress_on(const Exchange& exchange) {
+  for (std::size_t a = 0; a < 3; ++a) {
+    Component& c = component_[a];
+    c.stressed = c.liquid_now;
+    if (exchange.volume[a].empty()) continue;
+    for (std::size_t n = 0; n < c.stressed.size(); ++n) c.stressed[n] += exchange.volume[a][n];
+  }
+}
+
 /// Volume flow of liquid α u A through every cell face, on the nodes.
 void LiquidSolver::update_flows() {
 #pragma omp parallel for num_threads(std::min(threads_, 3)) schedule(static)
@@ -484,12 +494,12 @@ void LiquidSolver::assemble(std::size_t a, const Exchange& exchange) {
   for (std::size_t n = 0; n < c.velocity.size(); ++n) {
     c.diagonal[n] = c.old_inertia[n] + exchange.coefficient[a][n];
     c.right_hand_side[n] = c.old_inertia[n] * c.previous[n] + exchange.source[a][n] +
-                           c.liquid_now[n] * (c.viscous[n] - c.pressure_gradient[n]);
+                           c.stressed[n] * (c.viscous[n] - c.pressure_gradient[n]);
   }
   for (int s = 0; s < c.sections; ++s) {
     const std::size_t start = index(s, 0, levels);
     const double* u = velocity + start;
-    const double* liquid = &c.liquid_now[start];
+    const double* liquid = &c.stressed[start];
     double* rhs = &c.right_hand_side[start];
     double* diagonal = &c.diagonal[start];
     const double stress = viscosity_ * c.own[as_index(s)];
@@ -509,7 +519,7 @@ void LiquidSolver::assemble(std::size_t a, const Exchange& exchange) {
       const double part_after = after >= 0 ? 1.0 : c.mirror[plus][as_index(t)];
       const double stress_s = viscosity_ * c.lateral[plus][as_index(s)];
       const double stress_t = viscosity_ * c.lateral[minus][as_index(t)];
-      const double* liquid_t = &c.liquid_now[start_t];
+      const double* liquid_t = &c.stressed[start_t];
       const double* flux = &c.flux[axis][start];
       double *to_plus = &c.coefficient[plus][start], *to_minus = &c.coefficient[minus][start_t];
       double *rhs_t = &c.right_hand_side[start_t], *diagonal_t = &c.diagonal[start_t];
@@ -697,7 +707,7 @@ double LiquidSolver::correct_pressure(const Exchange& exchange) {
       const double area = face_area(a, s);
       for (int k = c.first; k <= c.last; ++k) {
         const std::size_t n = index(s, k, c.levels);
-        c.mobility[n] = c.liquid_now[n] / (c.inertia[n] + exchange.coefficient[a][n]);
+        c.mobility[n] = c.stressed[n] / (c.inertia[n] + exchange.coefficient[a][n]);
         pressure_equation_.coefficient[a][n] = c.fraction[n] * area * c.mobility[n] / spacing(a, k);
       }
     }
@@ -764,7 +774,7 @@ void LiquidSolver::balance_column(const Exchange& exchange) {
     double force = c.right_hand_side[n] - c.diagonal[n] * c.velocity[n] + c.coefficient[5][n] * above;
     if (k > 1) force += c.coefficient[4][n] * c.velocity[n - 1];
     above = c.velocity[n];
-    c.pressure_gradient[n] = force / c.liquid_now[n];
+    c.pressure_gradient[n] = force / c.stressed[n];
     pressure_[n - 1] = (k < layers ? pressure_[n] : 0.0) - c.pressure_gradient[n] * spacing(vertical, k);
   }
   finish_viscous(vertical);
@@ -819,6 +829,7 @@ void LiquidSolver::advance(double time_step, const std::vector<double>& before, 
   {
     const Stopwatch stopwatch(cost_.momentum_seconds);
     start_step(time_step, before, now);
+    put_stress_on(exchange);
     if (grid_.cells() == 1 && !closed_) return balance_column(exchange);
   }
   // The projection takes one pass; SIMPLE repeats it until pressure, velocity and convecting flow agree.

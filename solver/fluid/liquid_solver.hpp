@@ -18,10 +18,12 @@ struct FluidError : std::runtime_error {
 
 /// What the particles do to the liquid in one step, on the momentum nodes of each velocity component.
 ///
-/// The force on the liquid in node f is source_f − coefficient_f · u_f, with u_f at the end of the step.
+/// The force on the liquid in node f is source_f − coefficient_f · u_f + volume_f (−∇p + ∇·τ)_f, with all three at the
+/// end of the step.
 struct Exchange {
   std::array<std::vector<double>, 3> coefficient;  ///< Σ φ_if K_i [kg/s]
   std::array<std::vector<double>, 3> source;       ///< Σ φ_if K_i v_i [N]
+  std::array<std::vector<double>, 3> volume;       ///< of spheres that pass their stress on; empty: none [m³]
 };
 
 /// Volume-averaged continuity and momentum of the liquid (Peng 2014, Eqs. 21, 26, 27) on a staggered ColumnGrid.
@@ -127,6 +129,7 @@ class LiquidSolver {
     std::array<std::vector<double>, 2> end;                         ///< velocity given at z = 0 and z = height [m/s]
     std::vector<double> volume, fraction;                           ///< [m³]; of liquid [-]
     std::vector<double> liquid_earlier, liquid_before, liquid_now;  ///< liquid volumes [m³]
+    std::vector<double> stressed;                                   ///< liquid_now and Exchange::volume [m³]
     std::vector<double> velocity, previous, earlier, pressure_gradient, viscous;
     std::vector<double> flow;                 ///< of liquid volume through the node's face [m³/s]
     std::array<std::vector<double>, 3> flux;  ///< the same through the links towards +x and +y and from below [m³/s]
@@ -140,6 +143,7 @@ class LiquidSolver {
   void build_component(std::size_t a);
   void build_stencil(std::size_t a);
   void start_step(double time_step, const std::vector<double>& before, const std::vector<double>& now);
+  void put_stress_on(const Exchange& exchange);
   [[nodiscard]] double face_area(std::size_t a, int section) const;
   [[nodiscard]] double spacing(std::size_t a, int level) const;
   void start_flows();

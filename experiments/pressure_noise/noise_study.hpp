@@ -1,0 +1,43 @@
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "solver/dem/particles.hpp"
+#include "solver/scene/scene.hpp"
+
+/// How much the instantaneous pressure drop of a fluidised bed fluctuates with the void-fraction scheme and the step.
+namespace slfb::noise {
+
+/// Root mean square of the pressure drop about its mean, static head removed, one value per step of the liquid.
+struct NoisePoint {
+  VoidFractionScheme scheme;
+  double time_step;            ///< of the liquid [s]
+  double rms, low, high;       ///< with its 95 % interval from ten blocks of the time [Pa]
+  double mean, bed_weight;     ///< of the pressure drop; buoyant weight of the bed over the section [Pa]
+  double seconds;              ///< that were measured [s]
+};
+
+/// 3600 spheres of 5 mm in the 50 mm column at 0.10 m/s, cells of 6.25 mm, with springs and steps of the spheres that
+/// suit any step of the liquid between 1e-4 and 1e-3 s.
+Scene study_scene();
+
+/// Spheres of the scene's bed after `seconds` of fluidisation from a loose packing, with liquid steps of 1e-3 s.
+dem::Particles fluidised(Scene scene, double seconds);
+
+/// Goes on from there with the scene's own scheme and step: `transient` for the liquid to match the spheres, then
+/// `seconds` of measurement.
+NoisePoint measure(const Scene& scene, const dem::Particles& start, double transient, double seconds);
+
+/// Every scheme at every step of the study; written with machine, date and `command` as comments.
+void run_study(const std::filesystem::path& file, const std::string& command,
+               const std::function<void(const std::string&)>& say);
+/// The points of such a file. Throws std::runtime_error that names the file and the line.
+std::vector<NoisePoint> load_study(const std::filesystem::path& file);
+
+/// "exact-overlap", as in a scene file.
+std::string name_of(VoidFractionScheme scheme);
+
+}  // namespace slfb::noise
