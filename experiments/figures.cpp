@@ -14,7 +14,8 @@ namespace slfb {
 
 const std::vector<Figure>& figures() {
   static const std::vector<Figure> list{
-      fig01(), fig05(), fig08(), fig09(), fig10(), fig13(), fig25(), kinetic_theory(), frontier_integrators(), pressure_noise()};
+      fig01(),         fig05(), fig08(), fig09(), fig10(), fig13(), fig25(), kinetic_theory(), frontier_integrators(),
+      pressure_noise()};
   return list;
 }
 

@@ -186,7 +186,8 @@ void add_bench_command(CLI::App& app) {
   auto file = std::make_shared<std::string>("experiments/pressure_noise/pressure_noise.csv");
   CLI::App* noise = bench->add_subcommand(
       "pressure-noise",
-      "Makes the results anew that the figure pressure-noise draws: the pressure drop of a\nfluidised bed step by step, "
+      "Makes the results anew that the figure pressure-noise draws: the pressure drop of a\nfluidised bed step by "
+      "step, "
       "with every void-fraction scheme at four steps of the liquid\n(some ten minutes on one core).");
   noise->add_option("--out", *file, "File")->capture_default_str();
   noise->callback([file] {
