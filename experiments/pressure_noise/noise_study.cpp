@@ -23,10 +23,9 @@
 namespace slfb::noise {
 namespace {
 
-constexpr std::array schemes{
-    std::pair{VoidFractionScheme::exact_overlap, "exact-overlap"},
-    std::pair{VoidFractionScheme::particle_meshing, "particle-meshing"},
-    std::pair{VoidFractionScheme::centroid, "centroid"}};
+constexpr std::array schemes{std::pair{VoidFractionScheme::exact_overlap, "exact-overlap"},
+                             std::pair{VoidFractionScheme::particle_meshing, "particle-meshing"},
+                             std::pair{VoidFractionScheme::centroid, "centroid"}};
 constexpr std::array time_steps{1e-3, 5e-4, 2e-4, 1e-4};
 
 double section_area(const Scene& scene) {
@@ -36,7 +35,9 @@ double section_area(const Scene& scene) {
 class Bed {
  public:
   Bed(const Scene& scene, const dem::Particles& spheres)
-      : scene_(scene), engine(scene.contact, dem::walls_of(scene), {0.0, 0.0, 0.0}, 1), liquid(scene),
+      : scene_(scene),
+        engine(scene.contact, dem::walls_of(scene), {0.0, 0.0, 0.0}, 1),
+        liquid(scene),
         exchange_(scene, &liquid) {
     for (std::size_t i = 0; i < spheres.size(); ++i)
       engine.add_particle(spheres.position.at(i), spheres.radius[i], scene.species.front().density, 0);
@@ -143,7 +144,8 @@ void run_study(const std::filesystem::path& file, const std::string& command,
   const dem::Particles start = fluidised(scene, 1.5);
   std::ofstream out(file);
   out << fmt::format("# {} on one core of {}, {:%Y-%m-%d}\n", command, processor(), fmt::gmtime(std::time(nullptr)));
-  out << "scheme,time step [s],root mean square [Pa],low [Pa],high [Pa],mean [Pa],weight of the bed [Pa],measured [s]\n";
+  out << "scheme,time step [s],root mean square [Pa],low [Pa],high [Pa],mean [Pa],weight of the bed [Pa],measured "
+         "[s]\n";
   for (const auto& [scheme, name] : schemes)
     for (const double time_step : time_steps) {
       Scene changed = scene;

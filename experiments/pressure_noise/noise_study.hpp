@@ -14,10 +14,10 @@ namespace slfb::noise {
 /// Root mean square of the pressure drop about its mean, static head removed, one value per step of the liquid.
 struct NoisePoint {
   VoidFractionScheme scheme;
-  double time_step;            ///< of the liquid [s]
-  double rms, low, high;       ///< with its 95 % interval from ten blocks of the time [Pa]
-  double mean, bed_weight;     ///< of the pressure drop; buoyant weight of the bed over the section [Pa]
-  double seconds;              ///< that were measured [s]
+  double time_step;         ///< of the liquid [s]
+  double rms, low, high;    ///< with its 95 % interval from ten blocks of the time [Pa]
+  double mean, bed_weight;  ///< of the pressure drop; buoyant weight of the bed over the section [Pa]
+  double seconds;           ///< that were measured [s]
 };
 
 /// 3600 spheres of 5 mm in the 50 mm column at 0.10 m/s, cells of 6.25 mm, with springs and steps of the spheres that

@@ -14,18 +14,20 @@ namespace {
 std::vector<std::string> needs(const Profile&) { return {}; }
 
 FigureOutput draw(const FigureContext& context) {
-  FigureOutput output{"pressure-noise",
-                      {},
-                      "",
-                      {"Drawn from the committed results of `slfb bench pressure-noise` (experiments/pressure_noise)."}};
+  FigureOutput output{
+      "pressure-noise",
+      {},
+      "",
+      {"Drawn from the committed results of `slfb bench pressure-noise` (experiments/pressure_noise)."}};
   output.caption =
       "Root mean square of the instantaneous pressure drop about its mean, static head removed, in a bed of 3600 glass "
-      "spheres of 5 mm in water at 0.10 m/s (cells of 6.25 mm, semi-implicit exchange), against the liquid's time step. "
+      "spheres of 5 mm in water at 0.10 m/s (cells of 6.25 mm, semi-implicit exchange), against the liquid's time "
+      "step. "
       "Bars: 95 % intervals from ten blocks of one second. Spheres that enter a cell by jumps displace liquid at once: "
       "that noise grows as the step shrinks. Dotted: the buoyant weight of the bed. Right: the same over the value at "
       "the longest step.";
-  const auto points = noise::load_study(std::filesystem::path(SLFB_SOURCE_DIR) /
-                                        "experiments/pressure_noise/pressure_noise.csv");
+  const auto points =
+      noise::load_study(std::filesystem::path(SLFB_SOURCE_DIR) / "experiments/pressure_noise/pressure_noise.csv");
   constexpr std::array schemes{VoidFractionScheme::exact_overlap, VoidFractionScheme::particle_meshing,
                                VoidFractionScheme::centroid};
   std::string absolute, relative;
