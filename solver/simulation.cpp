@@ -148,6 +148,8 @@ Simulation::Simulation(const Scene& scene, const RunOptions& options)
       options_(options),
       engine_(scene.contact, dem::walls_of(scene), period_of(scene), options.threads),
       substeps_(std::llround(scene.fluid.time_step / scene.contact.time_step)) {
+  if (scene.coupling.lubrication_range > 0.0)
+    engine_.lubricate({scene.liquid.viscosity, scene.coupling.lubrication_roughness, scene.coupling.lubrication_range});
   if (scene.fluid.tier != FluidTier::quiescent)
     liquid_ = std::make_unique<fluid::LiquidSolver>(scene, false, options.threads);
   still_ = std::make_unique<coupling::PhaseCoupling>(scene, nullptr);

@@ -79,21 +79,22 @@ void PhaseCoupling::update_void_fraction(const dem::Engine& engine) {
 }
 
 /// Velocity and stress of the liquid, cell by cell.
-void PhaseCoupling::read_liquid() {
-  const auto put = [&](std::vector<double>& values, std::size_t field) {
-    smoothing_->gather(values);
-    for (std::size_t c = 0; c < values.size(); ++c) cells_[c].value[field] = values[c];
-  };
+void PhaseCoupling::read_liquid(int threads) {
+#pragma omp parallel for num_threads(std::min(threads, 3)) schedule(static)
   for (std::size_t a = 0; a < 3; ++a) {
-    liquid_->gather(a, liquid_->velocity(a), cell_scratch_);
-    put(cell_scratch_, CellValues::velocity_x + a);
+    liquid_->gather(a, liquid_->velocity(a), cell_velocity_[a]);
     liquid_->gather(a, liquid_->pressure_gradient(a), pressure_gradient_[a]);
-    smoothing_->gather(pressure_gradient_[a]);
-    liquid_->gather(a, liquid_->viscous_force(a), cell_scratch_);
-    put(cell_scratch_, CellValues::stress_x + a);
-    for (std::size_t c = 0; c < cells_.size(); ++c)
-      cells_[c].value[CellValues::stress_x + a] -= pressure_gradient_[a][c];
+    liquid_->gather(a, liquid_->viscous_force(a), cell_stress_[a]);
+    for (std::size_t c = 0; c < cells_.size(); ++c) cell_stress_[a][c] -= pressure_gradient_[a][c];
   }
+  for (auto* fields : {&cell_velocity_, &pressure_gradient_, &cell_stress_})
+    for (auto& field : *fields) smoothing_->gather(field, threads);
+#pragma omp parallel for num_threads(threads) schedule(static)
+  for (std::size_t c = 0; c < cells_.size(); ++c)
+    for (std::size_t a = 0; a < 3; ++a) {
+      cells_[c].value[CellValues::velocity_x + a] = cell_velocity_[a][c];
+      cells_[c].value[CellValues::stress_x + a] = cell_stress_[a][c];
+    }
   cells_valid_ = true;
 }
 
@@ -103,6 +104,8 @@ void PhaseCoupling::read_at_spheres(const dem::Engine& engine, double time_step)
   const dem::Particles& particles = engine.particles;
   const double density = scene_.liquid.density, viscosity = scene_.liquid.viscosity;
   const bool explicit_exchange = scene_.coupling.exchange == MomentumExchange::explicit_in_time;
+  const bool implicit = scene_.coupling.exchange == MomentumExchange::implicit, corrected = slip_is_corrected(),
+             further = further_.any();
   const auto n = static_cast<std::int64_t>(particles.size());
   constexpr std::int64_t block = 256;
 #pragma omp parallel for num_threads(engine.threads()) schedule(static)
@@ -152,18 +155,21 @@ void PhaseCoupling::read_at_spheres(const dem::Engine& engine, double time_step)
       const std::array<double, 8>& value = values[i - begin];
       const double volume = volume_[i], per_inertia = time_step / particles.inertial_mass(i);
       coefficient_[i] =
-          further_coefficient_[i] +
           volume * drag::exchange_per_solid_volume(coefficient_[i], voidage_[i], 2.0 * particles.radius[i], viscosity);
+      if (further) coefficient_[i] += further_coefficient_[i];
       const auto solid = engine.mean_solid_force(i);
       const std::array<double, 3> v = particles.velocity.at(i);
       const double buoyant_weight = -gravity * (particles.mass[i] - density * volume);
       damped_coefficient_[i] = coefficient_[i] / (1.0 + coefficient_[i] * per_inertia);
       for (std::size_t a = 0; a < 3; ++a) {
-        const double other = solid[a] + further_force_[a][i] + (a == 2 ? buoyant_weight : 0.0);
-        free_velocity_[a][i] = v[a] + per_inertia * other;
-        predicted_velocity_[a][i] = free_velocity_[a][i] + per_inertia * volume * value[CellValues::stress_x + a];
+        double other = solid[a] + (a == 2 ? buoyant_weight : 0.0);
+        if (further) other += further_force_[a][i];
+        const double free = v[a] + per_inertia * other;
+        if (implicit) free_velocity_[a][i] = free;
+        predicted_velocity_[a][i] = free + per_inertia * volume * value[CellValues::stress_x + a];
         if (explicit_exchange)  // the force itself, as momentum that the liquid gains
-          drag_[a][i] = coefficient_[i] * (value[CellValues::velocity_x + a] + velocity_correction_[a][i] - v[a]);
+          drag_[a][i] = coefficient_[i] *
+                        (value[CellValues::velocity_x + a] + (corrected ? velocity_correction_[a][i] : 0.0) - v[a]);
       }
     }
   }
@@ -171,21 +177,24 @@ void PhaseCoupling::read_at_spheres(const dem::Engine& engine, double time_step)
 
 void PhaseCoupling::give_to_liquid(const dem::Engine& engine) {
   const bool explicit_exchange = scene_.coupling.exchange == MomentumExchange::explicit_in_time;
+  const bool corrected = slip_is_corrected();
   const auto n = static_cast<std::int64_t>(coefficient_.size());
 #pragma omp parallel for num_threads(engine.threads()) schedule(static)
   for (std::int64_t k = 0; k < n; ++k) {
     const auto i = static_cast<std::size_t>(k);
     if (explicit_exchange) damped_coefficient_[i] = 0.0;
-    for (std::size_t a = 0; a < 3; ++a)
-      momentum_[a][i] = explicit_exchange
-                            ? -drag_[a][i]
-                            : damped_coefficient_[i] * (predicted_velocity_[a][i] - velocity_correction_[a][i]);
+    for (std::size_t a = 0; a < 3; ++a) {
+      const double correction = corrected ? velocity_correction_[a][i] : 0.0;
+      momentum_[a][i] =
+          explicit_exchange ? -drag_[a][i] : damped_coefficient_[i] * (predicted_velocity_[a][i] - correction);
+    }
     if (further_.any())
       for (std::size_t a = 0; a < 3; ++a) momentum_[a][i] += further_reaction_[a][i];
   }
   shares_->scatter<4>({&damped_coefficient_, &momentum_[0], &momentum_[1], &momentum_[2]},
                       {&scattered_[0], &scattered_[1], &scattered_[2], &scattered_[3]}, engine.threads());
   for (auto& field : scattered_) smoothing_->scatter(field, engine.threads());
+#pragma omp parallel for num_threads(std::min(engine.threads(), 3)) schedule(static)
   for (std::size_t a = 0; a < 3; ++a) {
     liquid_->scatter(a, scattered_[0], exchange_.coefficient[a]);
     liquid_->scatter(a, scattered_[a + 1], exchange_.source[a]);
@@ -198,6 +207,7 @@ void PhaseCoupling::give_to_spheres(dem::Engine& engine, double time_step) {
   const std::array<std::vector<double>*, 3> external{&engine.external_force.x, &engine.external_force.y,
                                                      &engine.external_force.z};
   const bool explicit_exchange = scene_.coupling.exchange == MomentumExchange::explicit_in_time;
+  const bool implicit = scene_.coupling.exchange == MomentumExchange::implicit, corrected = slip_is_corrected();
   const auto n = static_cast<std::int64_t>(particles.size());
 #pragma omp parallel for num_threads(engine.threads()) schedule(static)
   for (std::int64_t k = 0; k < n; ++k) {
@@ -213,12 +223,15 @@ void PhaseCoupling::give_to_spheres(dem::Engine& engine, double time_step) {
     }
     const double volume = volume_[i];
     for (std::size_t a = 0; a < 3; ++a) {
-      liquid_velocity_[a][i] = value[CellValues::velocity_x + a] + velocity_correction_[a][i];
-      if (!explicit_exchange)
-        drag_[a][i] = damped_coefficient_[i] * (liquid_velocity_[a][i] - predicted_velocity_[a][i]);
+      double u = value[CellValues::velocity_x + a];
+      if (corrected) u += velocity_correction_[a][i];
+      liquid_velocity_[a][i] = u;
+      if (!explicit_exchange) drag_[a][i] = damped_coefficient_[i] * (u - predicted_velocity_[a][i]);
       const double stress_force = volume * value[CellValues::stress_x + a];
-      predicted_velocity_[a][i] = free_velocity_[a][i] + time_step / particles.inertial_mass(i) * stress_force;
-      (*external[a])[i] = drag_[a][i] + stress_force + further_force_[a][i];
+      (*external[a])[i] = drag_[a][i] + stress_force;
+      if (further_.any()) (*external[a])[i] += further_force_[a][i];
+      if (implicit)
+        predicted_velocity_[a][i] = free_velocity_[a][i] + time_step / particles.inertial_mass(i) * stress_force;
     }
     (*external[2])[i] -= gravity * (particles.mass[i] - scene_.liquid.density * volume);
   }
@@ -260,7 +273,7 @@ void PhaseCoupling::advance(dem::Engine& engine, double time_step) {
   }
   cells_.resize(liquid_->grid().size());
   update_void_fraction(engine);
-  if (!cells_valid_) read_liquid();
+  if (!cells_valid_) read_liquid(engine.threads());
   if (further_.any()) apply_further_forces(engine);
   read_at_spheres(engine, time_step);
   const bool implicit = scene_.coupling.exchange == MomentumExchange::implicit;
@@ -269,7 +282,7 @@ void PhaseCoupling::advance(dem::Engine& engine, double time_step) {
   for (;; ++passes_) {
     give_to_liquid(engine);
     liquid_->advance(time_step, liquid_before_, liquid_now_, exchange_);
-    read_liquid();
+    read_liquid(engine.threads());
     give_to_spheres(engine, time_step);
     if (!implicit) break;
     constexpr double tolerance = 1e-6;
@@ -364,13 +377,6 @@ std::vector<double> PhaseCoupling::void_fraction() const {
   for (std::size_t c = 0; c < voidage.size(); ++c)
     voidage[c] = liquid_before_[c] / liquid_->grid().volume(static_cast<int>(c / layers));
   return voidage;
-}
-
-std::array<std::vector<double>, 3> PhaseCoupling::cell_velocity() const {
-  std::array<std::vector<double>, 3> velocity;
-  for (std::size_t a = 0; a < 3; ++a)
-    for (const CellValues& cell : cells_) velocity[a].push_back(cell.value[CellValues::velocity_x + a]);
-  return velocity;
 }
 
 }  // namespace slfb::coupling

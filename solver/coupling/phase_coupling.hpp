@@ -54,7 +54,7 @@ class PhaseCoupling {
   /// Void fraction per cell after the last advance [-]; empty without a liquid.
   [[nodiscard]] std::vector<double> void_fraction() const;
   /// Liquid velocity per cell after the last advance [m/s].
-  [[nodiscard]] std::array<std::vector<double>, 3> cell_velocity() const;
+  [[nodiscard]] const std::array<std::vector<double>, 3>& cell_velocity() const { return cell_velocity_; }
 
   /// Wall time spent so far on void fractions [s].
   [[nodiscard]] double void_fraction_seconds() const { return void_fraction_seconds_; }
@@ -72,8 +72,12 @@ class PhaseCoupling {
                                        std::span<double> dimensionless_drag)>;
 
   void resize(std::size_t n);
+  /// The slip is not that of the mean by shares.
+  [[nodiscard]] bool slip_is_corrected() const {
+    return at_centres_ || (liquid_ != nullptr && further_.corrects_disturbance());
+  }
   void update_void_fraction(const dem::Engine& engine);
-  void read_liquid();
+  void read_liquid(int threads);
   void read_at_spheres(const dem::Engine& engine, double time_step);
   void apply_further_forces(dem::Engine& engine);
   [[nodiscard]] double own_concentration(std::size_t i) const;
@@ -93,8 +97,9 @@ class PhaseCoupling {
   std::vector<double> liquid_before_, liquid_now_, solid_, cell_scratch_;
   std::vector<CellValues> cells_;  ///< what the spheres read
   bool cells_valid_ = false;
-  std::array<std::vector<double>, 3> pressure_gradient_;  ///< per cell [Pa/m]
-  std::array<std::vector<double>, 4> scattered_;          ///< per cell: K', then K' v'
+  /// Per cell: u [m/s], dynamic ∇p [Pa/m], −∇p + ∇·τ [N/m³].
+  std::array<std::vector<double>, 3> cell_velocity_, pressure_gradient_, cell_stress_;
+  std::array<std::vector<double>, 4> scattered_;  ///< per cell: K', then K' v'
   fluid::Exchange exchange_;
   std::vector<double> volume_, voidage_, reynolds_, coefficient_, damped_coefficient_, next_coefficient_;
   /// Of the sphere's centre over the mean by shares, of the liquid's velocity [m/s].

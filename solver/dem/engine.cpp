@@ -234,6 +234,7 @@ void Engine::pack() {
   bool moved = false;
 #pragma omp parallel for num_threads(threads_) schedule(static) reduction(|| : moved)
   for (std::size_t i = 0; i < particles.size(); ++i) {
+    fetch_ahead(i, place_, velocity_, spin_, constant_);
     const std::size_t s = slot_of_[i];
     const Vec3 x = load(particles.position, i), v = load(particles.velocity, i),
                w = load(particles.angular_velocity, i);
@@ -243,7 +244,6 @@ void Engine::pack() {
     velocity_[s] = {v.x, v.y, v.z, inverse_mass};
     spin_[s] = {w.x, w.y, w.z, 1.0 / particles.inertia(i)};
     constant_[s].set(inverse_mass * load(external_force, i));
-    wall_lift_[s] = {};
   }
   if (moved) travel_ = std::numeric_limits<double>::infinity();
 }
@@ -264,6 +264,7 @@ void Engine::unpack(std::int64_t steps) {
   const double inverse_time = 1.0 / (static_cast<double>(steps) * time_step_);
 #pragma omp parallel for num_threads(threads_) schedule(static)
   for (std::size_t i = 0; i < particles.size(); ++i) {
+    fetch_ahead(i, place_, velocity_, spin_, events_);
     const std::size_t s = slot_of_[i];
     const Vec3 v = velocity_[s].vector();
     const Vec3 gained = (particles.inertial_mass(i) * inverse_time) * (v - load(particles.velocity, i));
@@ -334,7 +335,8 @@ void Engine::list_pairs(double skin) {
       if (period_[2] > 0.0) x.z -= period_[2] * std::nearbyint(x.z / period_[2]);
       store(particles.position, order_[s], x.vector());
     }
-  const std::vector<std::uint32_t>& sorted = search_.sort(place_, skin, period_);
+  const double reach = skin + (lubrication_ ? lubrication_->outer_gap() : 0.0);
+  const std::vector<std::uint32_t>& sorted = search_.sort(place_, reach, period_);
   for (auto* rows : {&place_, &velocity_, &spin_, &constant_, &wall_lift_}) permute(*rows, sorted, 1, row_scratch_);
   permute(integrator_, sorted, integrator_rows_, row_scratch_);
   permute(order_, sorted, 1, number_scratch_);
@@ -356,7 +358,7 @@ void Engine::list_pairs(double skin) {
         (j < share.last ? share.inner : share.outer).add(static_cast<std::uint32_t>(i), j, image);
       });
       for (std::uint32_t w = 0; w < walls_.size(); ++w)
-        if (!walls_[w].clear_of(place_[i].vector(), place_[i].w + skin))
+        if (!walls_[w].clear_of(place_[i].vector(), place_[i].w + reach))
           share.wall.add(static_cast<std::uint32_t>(i), w, CellSearch::own_image);
       share.inner.close_sphere();
       share.outer.close_sphere();
@@ -719,7 +721,10 @@ void Engine::advance(std::int64_t steps) {
   }
   pack();
   tracked_sum_ = {};
-  for_shares([&](Share& share) { (this->*predict_)(share.first, share.last); });
+  for_shares([&](Share& share) {
+    for (std::size_t s = share.first; s < share.last; ++s) wall_lift_[s] = {};
+    (this->*predict_)(share.first, share.last);
+  });
   std::int64_t done = 0;
   try {
     for (; done < steps; ++done) one_step(done + 1 == steps ? StepMode::final : StepMode::middle);
@@ -747,6 +752,7 @@ void Engine::one_step(StepMode mode) {
   }
   tracked_slot_ = tracked_ ? slot_of_[*tracked_] : std::numeric_limits<std::size_t>::max();
 
+  if (lubrication_) add_lubrication();
   for (auto& share : shares_) share->overlap = 0.0;
   if (threads_ > 1) for_shares([&](Share& share) { (this->*compute_outer_)(share, mode); });
   for_shares([&](Share& share) { (this->*sweep_)(share, mode); });
@@ -764,6 +770,41 @@ void Engine::one_step(StepMode mode) {
       if (!std::isfinite(dot(velocity_[s].vector(), velocity_[s].vector()))) fail("has no finite velocity any more", s);
   travel_ += time_step_ * std::sqrt(speed_squared);
   ++steps_;
+}
+
+/// Puts the lubrication forces among those of the coming step: sphere by sphere, and for each in the order of the
+/// others, so that the sums do not depend on the shares.
+void Engine::add_lubrication() {
+  std::vector<std::pair<std::uint32_t, std::uint8_t>> others;
+  for (const auto& share : shares_)
+    for (std::size_t i = share->first; i < share->last; ++i) {
+      const Row own = place_[i];
+      const auto act = [&](Vec3 to_other, double touching_distance, double radius, Vec3 relative_velocity) {
+        const double distance = norm(to_other);
+        const Vec3 normal = (1.0 / distance) * to_other;
+        return lubrication_->repulsion(distance - touching_distance, radius, dot(relative_velocity, normal)) * normal;
+      };
+      others.clear();
+      for (const PairList* list : {&share->inner, &share->outer})
+        for (std::uint32_t p = list->start[i - share->first]; p < list->start[i - share->first + 1]; ++p)
+          others.emplace_back(list->second[p], list->image[p]);
+      std::sort(others.begin(), others.end());
+      for (const auto& [j, image] : others) {
+        const Row other = place_[j];
+        const Vec3 force = act(other.vector() + image_shift_[image].vector() - own.vector(), own.w + other.w,
+                               coupling::reduced_radius(own.w, other.w), velocity_[i].vector() - velocity_[j].vector());
+        force_[i].add(-1.0 * force);
+        force_[j].add(force);
+      }
+      const PairList& walls = share->wall;
+      for (std::uint32_t p = walls.start[i - share->first]; p < walls.start[i - share->first + 1]; ++p) {
+        const std::uint32_t w = walls.second[p];
+        const auto gap = walls_[w].gap(own.vector());
+        const Vec3 force = act(gap.distance * gap.outward, own.w, own.w, velocity_[i].vector());
+        force_[i].add(-1.0 * force);
+        (w == bottom_wall ? wall_lift_[i].x : wall_lift_[i].y) -= force.z;
+      }
+    }
 }
 
 void Engine::fail(const char* what, std::size_t slot) const {

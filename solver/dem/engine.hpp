@@ -7,6 +7,7 @@
 #include <stdexcept>
 #include <vector>
 
+#include "solver/coupling/forces/lubrication.hpp"
 #include "solver/dem/cell_search.hpp"
 #include "solver/dem/collision_statistics.hpp"
 #include "solver/dem/contact_batch.hpp"
@@ -45,6 +46,10 @@ class Engine {
   ~Engine();
   Engine(Engine&&) noexcept;
   Engine& operator=(Engine&&) = delete;
+
+  /// From now on the liquid between nearly touching spheres, and walls, resists their approach. Its forces count among
+  /// those of contacts. To be called before the first sphere is added.
+  void lubricate(const coupling::Lubrication& lubrication) { lubrication_ = lubrication; }
 
   Particles particles;         ///< may be changed between calls of advance(); masses and radii only before the first
   VectorField external_force;  ///< on each sphere, constant over a call of advance() [N]; sized by add_particle
@@ -134,6 +139,14 @@ class Engine {
   void resize_particle_arrays();
   void number_order();
   [[nodiscard]] bool moved_by_caller(std::size_t slot) const;
+  /// Slots are far apart in memory when the spheres are visited by their numbers: asks for those of a later one.
+  template <class... Columns>
+  void fetch_ahead(std::size_t i, const Columns&... columns) const {
+    constexpr std::size_t ahead = 12;
+    if (i + ahead >= slot_of_.size()) return;
+    const std::size_t s = slot_of_[i + ahead];
+    (__builtin_prefetch(&columns[s], 1), ...);
+  }
   void pack();
   void unpack(std::int64_t steps);
 
@@ -148,6 +161,7 @@ class Engine {
   template <class Work>
   void for_shares(Work work);
   void one_step(StepMode mode);
+  void add_lubrication();
   std::size_t find_touching(const PairList& list, std::uint32_t first, std::uint32_t last,
                             std::uint32_t* touching) const;
   template <bool AtWall, class Rolling, class Law, class Second, class Take>
@@ -233,6 +247,7 @@ class Engine {
   std::array<double, 3> mean_tracked_force_{};
   double maximum_overlap_ = 0.0;
   bool collect_collisions_ = false;
+  std::optional<coupling::Lubrication> lubrication_;
 };
 
 }  // namespace slfb::dem

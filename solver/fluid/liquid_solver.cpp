@@ -281,6 +281,7 @@ void LiquidSolver::start_step(double time_step, const std::vector<double>& befor
     volume_change_[i] = at_now * now[i] - at_before * before[i];
     if (second_order) volume_change_[i] += at_earlier * earlier_volume_[i];
   }
+#pragma omp parallel for num_threads(std::min(threads_, 3)) schedule(static)
   for (std::size_t a = 0; a < 3; ++a) {
     Component& c = component_[a];
     scatter(a, before, c.liquid_before);
@@ -318,6 +319,7 @@ void LiquidSolver::start_step(double time_step, const std::vector<double>& befor
 
 /// Volume flow of liquid α u A through every cell face at the start of the step, for which continuity holds.
 void LiquidSolver::start_flows() {
+#pragma omp parallel for num_threads(std::min(threads_, 3)) schedule(static)
   for (std::size_t a = 0; a < 3; ++a) {
     Component& c = component_[a];
     for (int s = 0; s < c.sections; ++s) {
@@ -356,6 +358,7 @@ void LiquidSolver::add_net_outflow() {
 
 /// Volume flow of liquid α u A through every cell face, on the nodes.
 void LiquidSolver::update_flows() {
+#pragma omp parallel for num_threads(std::min(threads_, 3)) schedule(static)
   for (std::size_t a = 0; a < 3; ++a) {
     Component& c = component_[a];
     for (int s = 0; s < c.sections; ++s) {
@@ -654,6 +657,7 @@ void LiquidSolver::finish_viscous(std::size_t a) {
 template <bool correct_velocity>
 void LiquidSolver::update_pressure_gradient() {
   const int layers = grid_.layers();
+#pragma omp parallel for num_threads(std::min(threads_, 3)) schedule(static)
   for (std::size_t a = 0; a < 3; ++a) {
     Component& c = component_[a];
     for (int s = 0; s < c.sections; ++s) {
@@ -686,25 +690,30 @@ double LiquidSolver::correct_pressure(const Exchange& exchange) {
   const Stopwatch stopwatch(cost_.pressure_seconds);
   const int layers = grid_.layers();
   update_flows();
-  for (std::size_t i = 0; i < grid_.size(); ++i) imbalance_[i] = -volume_change_[i];
+#pragma omp parallel for num_threads(std::min(threads_, 3)) schedule(static)
   for (std::size_t a = 0; a < 3; ++a) {
     Component& c = component_[a];
     for (int s = 0; s < c.sections; ++s) {
-      const auto& owner = c.owner[as_index(s)];
       const double area = face_area(a, s);
-      const std::size_t start = index(s, 0, c.levels);
-      const double* flow = &c.flow[start];
+      for (int k = c.first; k <= c.last; ++k) {
+        const std::size_t n = index(s, k, c.levels);
+        c.mobility[n] = c.liquid_now[n] / (c.inertia[n] + exchange.coefficient[a][n]);
+        pressure_equation_.coefficient[a][n] = c.fraction[n] * area * c.mobility[n] / spacing(a, k);
+      }
+    }
+  }
+  for (std::size_t i = 0; i < grid_.size(); ++i) imbalance_[i] = -volume_change_[i];
+  for (std::size_t a = 0; a < 3; ++a) {
+    const Component& c = component_[a];
+    for (int s = 0; s < c.sections; ++s) {
+      const auto& owner = c.owner[as_index(s)];
+      const double* flow = &c.flow[index(s, 0, c.levels)];
       double *lower = &imbalance_[index(owner[0], 0, layers)], *upper = &imbalance_[index(owner[1], 0, layers)];
       if (a == vertical) {
         for (int k = 0; k < layers; ++k) lower[k] += flow[k] - flow[k + 1];
       } else {
         for (int k = 0; k < layers; ++k) lower[k] -= flow[k];
         for (int k = 0; k < layers; ++k) upper[k] += flow[k];
-      }
-      for (int k = c.first; k <= c.last; ++k) {
-        const std::size_t n = start + as_index(k);
-        c.mobility[n] = c.liquid_now[n] / (c.inertia[n] + exchange.coefficient[a][n]);
-        pressure_equation_.coefficient[a][n] = c.fraction[n] * area * c.mobility[n] / spacing(a, k);
       }
     }
   }

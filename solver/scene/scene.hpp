@@ -86,10 +86,12 @@ struct Coupling {
   int meshing_pieces = 1214;  ///< particle meshing: pieces per sphere
   MomentumExchange exchange = MomentumExchange::semi_implicit;
   Interpolation interpolation = Interpolation::shares;  ///< of voidage and liquid velocity at the spheres
-  double added_mass = 0.0;              ///< C_m, 0.5 for a sphere alone; 0: none [-]
-  bool saffman_lift = false;            ///< lift by shear (Saffman 1965, Mei 1992)
+  double added_mass = 0.0;                              ///< C_m, 0.5 for a sphere alone; 0: none [-]
+  bool saffman_lift = false;                            ///< lift by shear (Saffman 1965, Mei 1992)
   bool magnus_lift = false;             ///< lift by spin (Oesterlé & Bui Dinh 1998) and the liquid's torque
   bool basset_history = false;          ///< history force (Basset 1888)
+  double lubrication_range = 0.0;       ///< gap below which squeezed liquid resists approach [m]; 0: none
+  double lubrication_roughness = 5e-6;  ///< gap below which it does not grow any more [m]
   bool disturbance_correction = false;  ///< a sphere's own disturbance of voidage and velocity taken out
   double smoothing_length = 0.0;  ///< bandwidth b of the Gaussian exp(−|x|²/b²) that spreads the shares [m]; 0: none
 };

@@ -236,6 +236,11 @@ class PhysicsCheck {
       problem("coupling.drag_law", fmt::format("\"{}\"", scene_.coupling.drag_law),
               "unknown drag law; allowed is {}, or a file that ends with .cpp", law_names<drag::DragLaws>());
     }
+    const auto& coupling = scene_.coupling;
+    if (coupling.lubrication_range > 0.0 && coupling.lubrication_roughness >= coupling.lubrication_range)
+      problem("coupling.lubrication_roughness", with_unit(coupling.lubrication_roughness, units::length),
+              "leaves nothing of the range; allowed is less than coupling.lubrication_range = {} m",
+              shortest(coupling.lubrication_range));
     const double smoothing = scene_.coupling.smoothing_length;
     if (smoothing > column_width())
       problem("coupling.smoothing_length", with_unit(smoothing, units::length),

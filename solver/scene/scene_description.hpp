@@ -171,6 +171,8 @@ void describe(Visitor& visitor, Scene& scene) {
     visitor.boolean("saffman_lift", coupling.saffman_lift, optional);
     visitor.boolean("magnus_lift", coupling.magnus_lift, optional);
     visitor.boolean("basset_history", coupling.basset_history, optional);
+    visitor.number("lubrication_range", coupling.lubrication_range, u::length, not_negative, optional);
+    visitor.number("lubrication_roughness", coupling.lubrication_roughness, u::length, positive, optional);
     visitor.boolean("disturbance_correction", coupling.disturbance_correction, optional);
     visitor.number("smoothing_length", coupling.smoothing_length, u::length, not_negative, optional);
   });

@@ -21,6 +21,8 @@ class Lubrication {
   Lubrication(double viscosity, double inner_gap, double outer_gap)
       : factor_(6.0 * std::numbers::pi * viscosity), inner_gap_(inner_gap), outer_gap_(outer_gap) {}
 
+  [[nodiscard]] double outer_gap() const { return outer_gap_; }
+
   /// F/−v [N s/m]: what the force is linear in, for a step implicit in the velocities.
   /// \param gap h between the surfaces, negative where the spheres overlap [m]
   [[nodiscard]] double coefficient(double gap, double reduced_radius) const {
