@@ -44,8 +44,8 @@ std::string digits(const std::string& text) { return fmt::format("{:016x}", XXH3
 
 std::vector<std::string> compiler_words() {
   const char* chosen = std::getenv("CXX");
-  std::istringstream words(fmt::format("{} {}", chosen != nullptr && *chosen != '\0' ? chosen : SLFB_LAW_COMPILER,
-                                       SLFB_LAW_FLAGS));
+  std::istringstream words(
+      fmt::format("{} {}", chosen != nullptr && *chosen != '\0' ? chosen : SLFB_LAW_COMPILER, SLFB_LAW_FLAGS));
   std::vector<std::string> command;
   for (std::string word; words >> word;) command.push_back(word);
   return command;
@@ -115,15 +115,15 @@ const void* load_user_law(const fs::path& file, const std::string& symbol, const
 drag::DragLawKernels find_drag_law(const std::string& name_or_file) {
   if (!is_user_law(name_or_file))
     return drag::with_drag_law(name_or_file, [](auto law) { return drag::kernels_of<decltype(law)>(); });
-  const auto law = *static_cast<const drag::DragLawKernels*>(
-      load_user_law(name_or_file, "slfb_drag_law", "SLFB_DRAG_LAW", "drag"));
+  const auto law =
+      *static_cast<const drag::DragLawKernels*>(load_user_law(name_or_file, "slfb_drag_law", "SLFB_DRAG_LAW", "drag"));
   const std::string_view name = law.info.name;
   const bool plain = !name.empty() && std::ranges::all_of(name, [](unsigned char letter) {
     return std::islower(letter) || std::isdigit(letter) || letter == '-';
   });
   if (!plain)
-    throw UserLawError(fmt::format("{}: info.name = \"{}\"; allowed are lower-case letters, digits and '-'",
-                                   name_or_file, name));
+    throw UserLawError(
+        fmt::format("{}: info.name = \"{}\"; allowed are lower-case letters, digits and '-'", name_or_file, name));
   try {
     drag::with_drag_law(name, [](auto) {});
   } catch (const std::invalid_argument&) {

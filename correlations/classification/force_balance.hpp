@@ -6,10 +6,9 @@
 
 namespace slfb::classification {
 
-/// Settling velocity [m/s] of a foreign sphere that meets no other sphere: its weight, less the pressure gradient of the
-/// bed (ρ_M g), is carried by the drag alone. It is the upper limit of any classification velocity that the law gives.
-/// \param law a drag law of the suite
-/// \throws std::domain_error if no slip below 3 m/s balances
+/// Settling velocity [m/s] of a foreign sphere that meets no other sphere: its weight, less the pressure gradient of
+/// the bed (ρ_M g), is carried by the drag alone. It is the upper limit of any classification velocity that the law
+/// gives. \param law a drag law of the suite \throws std::domain_error if no slip below 3 m/s balances
 template <class Law>
 double force_balance_velocity(const Law& law, const ForeignSphereInBed& state) {
   const double apparent_weight = (state.foreign.density - state.mixture_density()) * gravitational_acceleration;

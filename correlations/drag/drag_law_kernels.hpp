@@ -51,6 +51,6 @@ constexpr DragLawKernels kernels_of() {
 }  // namespace slfb::drag
 
 /// Hands the law of a file outside the suite over: the last line of that file.
-#define SLFB_DRAG_LAW(Law)                                      \
-  extern "C" const slfb::drag::DragLawKernels slfb_drag_law;    \
+#define SLFB_DRAG_LAW(Law)                                   \
+  extern "C" const slfb::drag::DragLawKernels slfb_drag_law; \
   const slfb::drag::DragLawKernels slfb_drag_law = slfb::drag::kernels_of<Law>();

@@ -143,13 +143,15 @@ PropertyCheck check_jumps(const drag::DragLawKernels& law) {
   const DragGrid grid = drag_grid();
   Extreme worst;
   for (const double reynolds : inside(grid.reynolds, law.info.reynolds)) {
-    const auto [jump, voidage] = largest_jump(inside(grid.voidage, law.info.voidage),
-                                              [&](double e) { return law({e, reynolds}); });
+    const auto [jump, voidage] = largest_jump(inside(grid.voidage, law.info.voidage), [&](double e) {
+      return law({e, reynolds});
+    });
     worst.meet(jump, voidage, reynolds);
   }
   for (const double voidage : inside(grid.voidage, law.info.voidage)) {
-    const auto [jump, reynolds] = largest_jump(inside(grid.reynolds, law.info.reynolds),
-                                               [&](double re) { return law({voidage, re}); });
+    const auto [jump, reynolds] = largest_jump(inside(grid.reynolds, law.info.reynolds), [&](double re) {
+      return law({voidage, re});
+    });
     worst.meet(jump, voidage, reynolds);
   }
   return {"No jumps: a jump over the balance leaves a bed without a steady voidage", worst.value < 1e-3,
@@ -184,9 +186,10 @@ void require_usable(const ComparedDragLaw& compared) {
                     compared.argument, drag, at(voidage, reynolds)));
   });
   if (!any)
-    throw std::runtime_error(fmt::format("{}: the range of the law holds no voidage from 0.36 to 1 or no Re from 0.01 "
-                                         "to 10000, where laws are compared",
-                                         compared.argument));
+    throw std::runtime_error(
+        fmt::format("{}: the range of the law holds no voidage from 0.36 to 1 or no Re from 0.01 "
+                    "to 10000, where laws are compared",
+                    compared.argument));
 }
 
 }  // namespace
@@ -234,8 +237,8 @@ DragRatio drag_ratio(const drag::DragLawKernels& law, const drag::DragLawKernels
 }
 
 std::vector<PropertyCheck> check_properties(const drag::DragLawKernels& law) {
-  return {check_stokes_limit(law), check_single_sphere(law),   check_crowding(law),   check_rise_with_slip(law),
-          check_turbulent_limit(law), check_derivative(law), check_jumps(law), check_expansion(law)};
+  return {check_stokes_limit(law),    check_single_sphere(law), check_crowding(law), check_rise_with_slip(law),
+          check_turbulent_limit(law), check_derivative(law),    check_jumps(law),    check_expansion(law)};
 }
 
 double bed_velocity(const drag::DragLawKernels& law, double voidage) {
@@ -252,9 +255,8 @@ HomogeneousBed homogeneous_bed(const drag::DragLawKernels& law, double superfici
     const auto bed =
         fluidisation::bed_voidage(law, glass, paper::water(), superficial_velocity, paper::packed_voidage());
     if (bed.regime != fluidisation::BedRegime::expanded) return {bed.voidage, nothing};
-    return {bed.voidage,
-            classification::force_balance_velocity(
-                law, {glass, paper::steel(0.006), paper::water(), bed.voidage, superficial_velocity})};
+    return {bed.voidage, classification::force_balance_velocity(
+                             law, {glass, paper::steel(0.006), paper::water(), bed.voidage, superficial_velocity})};
   } catch (const std::domain_error&) {
     return {nothing, nothing};
   }

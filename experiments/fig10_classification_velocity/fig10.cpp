@@ -26,8 +26,7 @@ std::vector<std::string> needs(const Profile& profile) { return select_run_keys(
 template <class Law>
 double collision_free_velocity(const Law& law, double superficial_velocity) {
   const Sphere glass = paper::glass(0.005);
-  const auto bed =
-      fluidisation::bed_voidage(law, glass, paper::water(), superficial_velocity, paper::packed_voidage());
+  const auto bed = fluidisation::bed_voidage(law, glass, paper::water(), superficial_velocity, paper::packed_voidage());
   if (bed.regime != fluidisation::BedRegime::expanded) return std::nan("");
   return classification::force_balance_velocity(
       law, {glass, paper::steel(0.006), paper::water(), bed.voidage, superficial_velocity});
