@@ -53,7 +53,7 @@ std::vector<std::string> compiler_words() {
 
 std::string hint(const std::string& message, const std::string& macro, const std::string& kind) {
   const std::string compiles = fmt::format("`slfb compare --template {}` prints a file that compiles.", kind);
-  if (message.find("Dual") != std::string::npos || message.find("Number") != std::string::npos)
+  if (message.find("Dual") != std::string::npos)
     return "The formula is also evaluated for numbers that carry their derivative: write `using std::pow;` and then "
            "pow(x, y) without std::, likewise exp, log10 and sqrt; or take SuspensionFlow instead of a template. " +
            compiles;

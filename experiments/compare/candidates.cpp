@@ -41,6 +41,20 @@ RunSpec with(RunSpec run, const Candidate& candidate) {
   return run;
 }
 
+/// How far a number is from what the paper states; 0 where it is as stated.
+double distance(const Claim& claim, double ours) {
+  switch (claim.kind) {
+    case StatementKind::at_most:
+      return std::max(0.0, ours - claim.paper);
+    case StatementKind::at_least:
+      return std::max(0.0, claim.paper - ours);
+    case StatementKind::between:
+      return std::max({0.0, claim.paper - ours, ours - claim.paper_upper});
+    default:
+      return std::abs(ours - claim.paper);
+  }
+}
+
 /// Nearer to "reproduced" is more.
 int rank(Verdict verdict) { return verdict == Verdict::reproduced ? 2 : verdict == Verdict::not_decidable ? 1 : 0; }
 
@@ -141,12 +155,11 @@ Change change(const Evaluation& first, const Evaluation& other) {
     const int step = rank(other.verdict) - rank(first.verdict);
     return step > 0 ? Change::better : step < 0 ? Change::worse : Change::same;
   }
-  if (!first.deviation || !other.deviation || !first.interval || !other.interval || first.claim.paper == 0.0)
-    return Change::undecided;
-  const auto half_width = [&](const Evaluation& evaluation) {
-    return 0.5 * (evaluation.interval->second - evaluation.interval->first) / std::abs(first.claim.paper);
+  if (!first.interval || !other.interval) return Change::undecided;
+  const auto half_width = [](const Evaluation& evaluation) {
+    return 0.5 * (evaluation.interval->second - evaluation.interval->first);
   };
-  const double nearer = std::abs(*first.deviation) - std::abs(*other.deviation);
+  const double nearer = distance(first.claim, *first.ours) - distance(first.claim, *other.ours);
   if (std::abs(nearer) <= std::hypot(half_width(first), half_width(other))) return Change::same;
   return nearer > 0.0 ? Change::better : Change::worse;
 }

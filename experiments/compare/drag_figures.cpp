@@ -46,34 +46,41 @@ DataTable map_table(const std::string& id, const std::vector<std::string>& colum
   return table;
 }
 
-/// A map per column of a table, side by side with one colour bar.
-std::string map_commands(const DataTable& table, const std::vector<std::string>& titles, int across,
-                         const std::string& palette, const std::string& scale) {
-  const int rows = (static_cast<int>(titles.size()) + across - 1) / across;
-  std::string commands = fmt::format(
-      "{}set multiplot\nunset key\nset xrange [-2:4]\nset yrange [0.36:1]\nset xtics 2 format '10^{{%g}}'\nset ytics "
-      "0.2\n",
-      palette);
-  for (std::size_t i = 0; i < titles.size(); ++i) {
-    const int column = static_cast<int>(i) % across, row = static_cast<int>(i) / across;
-    const double width = 0.84 / across, height = 0.93 / rows;
-    commands += fmt::format(
-        "set lmargin at screen {}\nset rmargin at screen {}\nset tmargin at screen {}\nset bmargin at screen {}\n",
-        0.06 + column * width, 0.06 + (column + 1) * width - 0.025, 1.0 - 0.035 - row * height,
-        1.0 - (row + 1) * height + 0.03);
-    const bool lowest = i + static_cast<std::size_t>(across) >= titles.size();
-    commands += fmt::format("set title {} offset 0,-0.8 font ',11'\nset xlabel '{}' offset 0,0.8\nset ylabel '{}'\n",
-                            gnuplot_text(titles[i]), lowest ? "Re [-]" : "", column == 0 ? "voidage [-]" : "");
-    commands += i == 0 ? "set colorbox user origin 0.915,0.1 size 0.02,0.8\n" : "unset colorbox\n";
-    commands +=
-        fmt::format("plot '{}.csv' skip 1 using (log10($2)):1:({}(${})) with image pixels\n", table.name, scale, i + 3);
-  }
-  return commands + "unset multiplot\n";
-}
+/// Sizes of a figure of maps [pixels].
+constexpr int map_width = 190, map_height = 170, above = 28, below = 34, left = 70, bar = 110, foot = 24;
 
 Canvas map_canvas(std::size_t maps, int across) {
   const int rows = (static_cast<int>(maps) + across - 1) / across;
-  return {std::max(520, 60 + 200 * across), 60 + 210 * rows};
+  return {left + across * map_width + bar, rows * (above + map_height + below) + foot};
+}
+
+/// A map per column of a table, side by side with one colour bar.
+std::string map_commands(const DataTable& table, const std::vector<std::string>& titles, int across,
+                         const std::string& palette, const std::string& scale) {
+  const Canvas canvas = map_canvas(titles.size(), across);
+  // An image of an SVG would be a second file; a PNG would show the seams between single rectangles.
+  std::string commands = palette +
+                         "drawn = format eq 'png' ? '' : 'pixels'\nset multiplot\nunset key\nset xrange [-2:4]\nset "
+                         "yrange [0.36:1]\nset xtics -2,2,2 format '10^{%g}'\nset ytics 0.2\n";
+  for (std::size_t i = 0; i < titles.size(); ++i) {
+    const int column = static_cast<int>(i) % across, row = static_cast<int>(i) / across;
+    const double width = canvas.width, height = canvas.height;
+    const int from_left = left + column * map_width, from_top = row * (above + map_height + below) + above;
+    commands += fmt::format(
+        "set lmargin at screen {}\nset rmargin at screen {}\nset tmargin at screen {}\nset bmargin at screen {}\n",
+        from_left / width, (from_left + map_width - 18) / width, 1.0 - from_top / height,
+        1.0 - (from_top + map_height) / height);
+    const bool lowest = i + static_cast<std::size_t>(across) >= titles.size();
+    commands += fmt::format("set title {} offset 0,-0.8 font ',11'\nset xlabel '{}' offset 0,0.6\nset ylabel '{}'\n",
+                            gnuplot_text(titles[i]), lowest ? "Re [-]" : "", column == 0 ? "voidage [-]" : "");
+    commands += fmt::format("set format y '{}'\n", column == 0 ? "%g" : "");
+    commands += i == 0 ? fmt::format("set colorbox user origin {},{} size {},{}\n", 1.0 - (bar - 10) / width,
+                                     (below + foot) / height, 16 / width, 1.0 - (above + below + foot) / height)
+                       : "unset colorbox\n";
+    commands +=
+        fmt::format("plot '{}.csv' skip 1 using (log10($2)):1:({}(${})) with image @drawn\n", table.name, scale, i + 3);
+  }
+  return commands + "unset multiplot\n";
 }
 
 Picture draw_surfaces(const std::vector<ComparedDragLaw>& laws, const fs::path& folder) {

@@ -91,7 +91,10 @@ Section bed_section(const std::vector<ComparedDragLaw>& laws, const std::vector<
     for (const auto& compared : laws) {
       const HomogeneousBed bed = homogeneous_bed(compared.law, velocity);
       voidages.push_back(readable_number(bed.voidage));
-      falls.push_back(readable_number(bed.classification_velocity));
+      falls.push_back(readable_number(bed.classification_velocity) +
+                      (std::isnan(bed.classification_velocity) || bed.in_range
+                           ? ""
+                           : "<span class=\"id\">outside its range</span>"));
     }
     rows.push_back(std::move(voidages));
     rows.push_back(std::move(falls));
@@ -148,7 +151,8 @@ ordered_json drag_json(const std::vector<ComparedDragLaw>& laws, const std::vect
       const HomogeneousBed bed = homogeneous_bed(laws[i].law, velocity);
       law["bed"].push_back({{"superficial_velocity", velocity},
                             {"voidage", number(bed.voidage)},
-                            {"classification_velocity", number(bed.classification_velocity)}});
+                            {"classification_velocity", number(bed.classification_velocity)},
+                            {"in_range", bed.in_range}});
     }
     for_each_law<drag::DragLaws>([&](const auto& other) {
       const DragRatio ratio = drag_ratio(laws[i].law, drag::kernels_of<std::decay_t<decltype(other)>>());

@@ -250,15 +250,20 @@ double bed_velocity(const drag::DragLawKernels& law, double voidage) {
 }
 
 HomogeneousBed homogeneous_bed(const drag::DragLawKernels& law, double superficial_velocity) {
-  const Sphere glass = paper::glass(0.005);
+  const Sphere glass = paper::glass(0.005), steel = paper::steel(0.006);
+  const LiquidProperties water = paper::water();
   try {
-    const auto bed =
-        fluidisation::bed_voidage(law, glass, paper::water(), superficial_velocity, paper::packed_voidage());
-    if (bed.regime != fluidisation::BedRegime::expanded) return {bed.voidage, nothing};
-    return {bed.voidage, classification::force_balance_velocity(
-                             law, {glass, paper::steel(0.006), paper::water(), bed.voidage, superficial_velocity})};
+    const auto [voidage, regime] =
+        fluidisation::bed_voidage(law, glass, water, superficial_velocity, paper::packed_voidage());
+    if (regime != fluidisation::BedRegime::expanded) return {voidage, nothing, false};
+    const ForeignSphereInBed state{glass, steel, water, voidage, superficial_velocity};
+    const double velocity = classification::force_balance_velocity(law, state);
+    const double slip = velocity + state.interstitial_velocity();
+    return {voidage, velocity,
+            in_range(law.info, voidage, reynolds_number(water, glass.diameter, superficial_velocity)) &&
+                in_range(law.info, voidage, reynolds_number(water, steel.diameter, voidage * slip))};
   } catch (const std::domain_error&) {
-    return {nothing, nothing};
+    return {nothing, nothing, false};
   }
 }
 

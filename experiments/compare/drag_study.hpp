@@ -51,6 +51,7 @@ double bed_velocity(const drag::DragLawKernels& law, double voidage);
 struct HomogeneousBed {
   double voidage;                  ///< [-]
   double classification_velocity;  ///< by force balance, without collisions [m/s]; NaN without a steady bed
+  bool in_range;                   ///< whether the law is meant for the spheres of the bed and for the steel sphere
 };
 HomogeneousBed homogeneous_bed(const drag::DragLawKernels& law, double superficial_velocity);
 

@@ -126,7 +126,6 @@ Evaluation answer(double ours, double half_width) {
   Evaluation evaluation;
   evaluation.claim.paper = 2.0;
   evaluation.ours = ours;
-  evaluation.deviation = (ours - 2.0) / 2.0;
   if (std::isfinite(half_width)) evaluation.interval = {ours - half_width, ours + half_width};
   return evaluation;
 }
@@ -138,6 +137,14 @@ TEST(Change, NeedsMoreThanBothIntervals) {
   EXPECT_EQ(change(answer(2.5, 0.3), answer(2.2, 0.3)), Change::same);
   EXPECT_EQ(change(answer(2.5, 0.1), answer(2.2, std::nan(""))), Change::undecided);
   EXPECT_EQ(change(answer(2.5, 0.1), Evaluation{}), Change::undecided);
+}
+
+TEST(Change, OfABoundCountsOnlyWhatLiesBeyondIt) {
+  Evaluation first = answer(2.5, 0.1), other = answer(1.0, 0.1);
+  first.claim.kind = other.claim.kind = StatementKind::at_most;
+  EXPECT_EQ(change(first, other), Change::better);
+  first.ours = 1.9;
+  EXPECT_EQ(change(first, other), Change::same);
 }
 
 TEST(Change, OfATrendGoesByItsVerdict) {
