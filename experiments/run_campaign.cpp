@@ -17,6 +17,7 @@
 #include "experiments/run_files.hpp"
 #include "experiments/stop_signals.hpp"
 #include "solver/simulation.hpp"
+#include "solver/user_law.hpp"
 
 namespace slfb {
 namespace {
@@ -43,6 +44,8 @@ Ending run_task(const Task& task, std::size_t number, const CampaignOptions& opt
   try {
     std::filesystem::create_directories(directory);
     write_scene_file(*task.scene, directory / "scene.toml");
+    if (const std::filesystem::path law = task.scene->coupling.drag_law; is_user_law(law.string()))
+      std::filesystem::copy_file(law, directory / "drag_law.cpp", std::filesystem::copy_options::overwrite_existing);
     if (std::filesystem::exists(directory / "checkpoint.h5")) {
       display.message(fmt::format("{}: goes on from its last checkpoint", task.label));
     }

@@ -10,6 +10,7 @@
 
 #include "experiments/commands/bench.hpp"
 #include "experiments/commands/check.hpp"
+#include "experiments/commands/compare.hpp"
 #include "experiments/commands/figures.hpp"
 #include "experiments/commands/laws.hpp"
 #include "experiments/commands/list.hpp"
@@ -32,6 +33,7 @@ constexpr const char* examples = R"(Examples:
   slfb check --json claims.json                      every claim with its verdict; fails when a gate does not hold
   slfb run experiments/scenes/6in5W.toml --dry-run   what one scene would cost
   slfb law gidaspow-1994 --voidage 0.5 --re 100      one law at one point
+  slfb compare --drag gidaspow-1994,mine.cpp         your own law beside the literature, in formulas and simulations
   slfb list                                          what there is
 
 `slfb COMMAND --help` explains a command.)";
@@ -65,6 +67,7 @@ int main(int argc, char** argv) {
   });
   slfb::add_figures_command(app);
   slfb::add_check_command(app);
+  slfb::add_compare_command(app);
   slfb::add_run_command(app);
   slfb::add_laws_command(app);
   slfb::add_law_command(app);

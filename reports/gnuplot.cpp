@@ -1,17 +1,13 @@
 #include "reports/gnuplot.hpp"
 
 #include <fmt/format.h>
-#include <spawn.h>
-#include <sys/wait.h>
-#include <unistd.h>
 
-#include <array>
-#include <cerrno>
 #include <cmath>
-#include <cstring>
 #include <fstream>
 #include <sstream>
 #include <stdexcept>
+
+#include "solver/run_program.hpp"
 
 namespace slfb {
 namespace {
@@ -31,44 +27,6 @@ std::string read_file(const fs::path& file) {
   std::ostringstream text;
   text << stream.rdbuf();
   return text.str();
-}
-
-/// Runs gnuplot on `script` inside `folder`; returns what it wrote to its standard error and its exit status.
-std::pair<std::string, int> run_gnuplot(const std::string& script, const fs::path& folder) {
-  std::array<int, 2> channel{};
-  if (pipe(channel.data()) != 0) throw std::runtime_error(fmt::format("gnuplot: pipe: {}", std::strerror(errno)));
-  posix_spawn_file_actions_t actions;
-  posix_spawn_file_actions_init(&actions);
-  posix_spawn_file_actions_addchdir_np(&actions, folder.c_str());
-  posix_spawn_file_actions_adddup2(&actions, channel[1], STDERR_FILENO);
-  posix_spawn_file_actions_adddup2(&actions, channel[1], STDOUT_FILENO);
-  posix_spawn_file_actions_addclose(&actions, channel[0]);
-  posix_spawn_file_actions_addclose(&actions, channel[1]);
-  std::string program = "gnuplot";
-  std::string argument = script;
-  std::array<char*, 3> arguments{program.data(), argument.data(), nullptr};
-  pid_t process = 0;
-  const int failure = posix_spawnp(&process, "gnuplot", &actions, nullptr, arguments.data(), environ);
-  posix_spawn_file_actions_destroy(&actions);
-  close(channel[1]);
-  if (failure != 0) {
-    close(channel[0]);
-    throw std::runtime_error(
-        fmt::format("gnuplot cannot be started: {} (apt-get install gnuplot-nox)", std::strerror(failure)));
-  }
-  std::string message;
-  std::array<char, 4096> buffer{};
-  for (;;) {
-    const ssize_t count = read(channel[0], buffer.data(), buffer.size());
-    if (count < 0 && errno == EINTR) continue;
-    if (count <= 0) break;
-    message.append(buffer.data(), static_cast<std::size_t>(count));
-  }
-  close(channel[0]);
-  int status = 0;
-  while (waitpid(process, &status, 0) < 0 && errno == EINTR) {
-  }
-  return {message, WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status)};
 }
 
 /// The script draws itself once per format: loaded without `format` it loads itself for each, then leaves.
@@ -112,7 +70,7 @@ void draw_figure(const std::string& id, const std::string& commands, const Canva
   const std::string script = id + ".gp";
   write_file(folder / script, head + "\n" + style + "\n" + commands + "unset output\n");
   for (const std::string& format : formats) fs::remove(folder / (id + "." + format));
-  const auto [message, status] = run_gnuplot(script, folder);
+  const auto [message, status] = run_program({"gnuplot", script}, folder, "apt-get install gnuplot-nox");
   if (status != 0)
     throw std::runtime_error(
         fmt::format("gnuplot failed on {} (exit status {}):\n{}", (folder / script).string(), status, message));

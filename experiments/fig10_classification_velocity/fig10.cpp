@@ -4,10 +4,9 @@
 
 #include <cmath>
 
+#include "correlations/classification/force_balance.hpp"
 #include "correlations/drag/drag_laws.hpp"
 #include "correlations/fluidisation/bed_expansion.hpp"
-#include "correlations/foreign_sphere.hpp"
-#include "correlations/root.hpp"
 #include "experiments/analysis.hpp"
 #include "experiments/figure_support.hpp"
 #include "experiments/paper_conditions.hpp"
@@ -22,26 +21,15 @@ bool wanted(const RunSpec& spec) { return spec.system == system_name && spec.sup
 
 std::vector<std::string> needs(const Profile& profile) { return select_run_keys(profile, wanted); }
 
-/// Velocity at which the steel sphere would fall through the homogeneous bed of that law if it met no other sphere.
-/// Its weight, less the pressure gradient of the bed (ρ_M g), is then carried by the drag alone: the upper limit of any
-/// classification velocity that this law can give. Not a number where the law has no homogeneous bed.
+/// Velocity of the steel sphere through the homogeneous bed of that law if it met no other sphere [m/s]. Not a number
+/// where the law has no homogeneous bed.
 template <class Law>
 double collision_free_velocity(const Law& law, double superficial_velocity) {
-  const Sphere glass = paper::glass(0.005), steel = paper::steel(0.006);
-  const LiquidProperties water = paper::water();
-  const auto bed = fluidisation::bed_voidage(law, glass, water, superficial_velocity, paper::packed_voidage());
+  const Sphere glass = paper::glass(0.005);
+  const auto bed = fluidisation::bed_voidage(law, glass, paper::water(), superficial_velocity, paper::packed_voidage());
   if (bed.regime != fluidisation::BedRegime::expanded) return std::nan("");
-  const ForeignSphereInBed state{glass, steel, water, bed.voidage, superficial_velocity};
-  const double apparent_weight = (steel.density - state.mixture_density()) * gravitational_acceleration;
-  const double slip = bracketed_root(
-      [&](double trial) {
-        const double reynolds = reynolds_number(water, steel.diameter, bed.voidage * trial);
-        return trial * drag::exchange_per_solid_volume(law({bed.voidage, reynolds}), bed.voidage, steel.diameter,
-                                                       water.viscosity) -
-               apparent_weight;
-      },
-      0.0, 3.0, "slip velocity [m/s]");
-  return slip - state.interstitial_velocity();
+  return classification::force_balance_velocity(
+      law, {glass, paper::steel(0.006), paper::water(), bed.voidage, superficial_velocity});
 }
 
 FigureOutput draw(const FigureContext& context) {

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "correlations/drag/drag_laws.hpp"
 #include "solver/stopwatch.hpp"
+#include "solver/user_law.hpp"
 
 namespace slfb::coupling {
 namespace {
@@ -32,11 +32,10 @@ PhaseCoupling::PhaseCoupling(const Scene& scene, fluid::LiquidSolver* liquid, do
       point_values_.emplace(liquid->grid(), scene.coupling.interpolation, scene.fluid.wall == LateralBoundary::no_slip);
   }
   // One indirect call per block of spheres; the law itself is inlined in the loop over them.
-  law_ = drag::with_drag_law(scene.coupling.drag_law, [](auto law) -> LawKernel {
-    return [law](std::span<const double> voidage, std::span<const double> reynolds, std::span<double> result) {
-      for (std::size_t i = 0; i < voidage.size(); ++i) result[i] = law({voidage[i], reynolds[i]});
-    };
-  });
+  law_ = [kernel = find_drag_law(scene.coupling.drag_law).drag](
+             std::span<const double> voidage, std::span<const double> reynolds, std::span<double> result) {
+    kernel(voidage.data(), reynolds.data(), result.data(), voidage.size());
+  };
 }
 
 void PhaseCoupling::resize(std::size_t n) {

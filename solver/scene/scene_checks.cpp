@@ -12,6 +12,7 @@
 #include "solver/dem/hertz_mindlin.hpp"
 #include "solver/scene/scene_description.hpp"
 #include "solver/scene/scene_file.hpp"
+#include "solver/user_law.hpp"
 
 namespace slfb::description {
 namespace {
@@ -228,10 +229,12 @@ class PhysicsCheck {
 
   void check_coupling() {
     try {
-      drag::with_drag_law(scene_.coupling.drag_law, [](const auto&) {});
+      find_drag_law(scene_.coupling.drag_law);
+    } catch (const UserLawError& error) {
+      problem("coupling.drag_law", fmt::format("\"{}\"", scene_.coupling.drag_law), "{}", error.what());
     } catch (const std::invalid_argument&) {
-      problem("coupling.drag_law", fmt::format("\"{}\"", scene_.coupling.drag_law), "unknown drag law; allowed is {}",
-              law_names<drag::DragLaws>());
+      problem("coupling.drag_law", fmt::format("\"{}\"", scene_.coupling.drag_law),
+              "unknown drag law; allowed is {}, or a file that ends with .cpp", law_names<drag::DragLaws>());
     }
     const auto& coupling = scene_.coupling;
     if (coupling.lubrication_range > 0.0 && coupling.lubrication_roughness >= coupling.lubrication_range)

@@ -308,6 +308,9 @@ EXPONENT = {
     'garside-al-dibouni-1977': lambda re, ar, ratio: between(5.09, 2.73, 0.104 * re**0.877),
 }
 WALL = {
+    # The source gives the drag over Stokes drag.
+    'haberman-sayre-1958': lambda r: 1 / ((1 - 0.75857 * r**5) / (1 - 2.1050 * r + 2.0865 * r**3 - 1.7068 * r**5
+                                                                   + 0.72603 * r**6)),
     'munroe-1888': lambda r: 1 - r**1.5,
     'newton-1687': lambda r: (1 - r * r) * sqrt(1 - r * r / 2),
     'richardson-zaki-1954-wall': lambda r: exp(-log(10) * r),
@@ -518,7 +521,7 @@ def main():
                 if law == 'richardson-zaki-1954' or target in (0.6, 30.0, 350.0):
                     row(law, point, 'expansion_exponent', exponent(re, archimedes(d, 2230.0, 998.2, 1e-3), d / column))
     for law, correction in WALL.items():
-        for column in (0.05, 0.02):
+        for column in (0.05, 0.02, 0.01):
             row(law, dict(column_diameter=column), 'velocity_ratio', correction(5e-3 / column))
     bed = [dict(voidage=0.46, superficial_velocity=0.06), dict(voidage=0.7, superficial_velocity=0.15),
            dict(voidage=0.55, superficial_velocity=0.05, diameter=3e-3, foreign_diameter=4e-3, foreign_density=4000.0,

@@ -1,0 +1,292 @@
+#include "experiments/commands/compare.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+#include <thread>
+
+#include "experiments/compare/drag_report.hpp"
+#include "experiments/measure.hpp"
+#include "experiments/run_estimate.hpp"
+#include "experiments/run_files.hpp"
+#include "solver/scene/scene_description.hpp"
+#include "solver/user_law.hpp"
+
+namespace slfb {
+namespace {
+
+namespace fs = std::filesystem;
+using compare::Candidate;
+using compare::Tier;
+
+constexpr const char* examples = R"(Examples:
+  slfb compare --template drag > mine.cpp             a law to start from; change its formula and its name
+  slfb compare --drag mine.cpp                        beside the paper's law, gidaspow-1994
+  slfb compare --drag gidaspow-1994,di-felice-1994,mine.cpp --tier correlation
+  slfb compare --drag mine.cpp --tier 3d --experiments fig10,table2
+  slfb compare --void-fraction exact-overlap,particle-meshing,centroid
+
+The first of a list is what the others are compared with. Tiers: `correlation` simulates nothing (seconds); `1d` drops
+the sphere through a slice of the bed in a one-dimensional liquid (about a minute); `3d` is the bed of the paper with
+the settings of the profile quick (minutes per law and velocity). Simulations are kept in DIR/runs and not repeated;
+the report lies in DIR/compare/KIND/index.html, with the figures, claims.csv and compare.json beside it.)";
+
+struct Options {
+  std::vector<std::string> drag, void_fraction, experiments;
+  std::string template_kind;
+  std::string tier = "1d";
+  std::vector<double> velocities;
+  fs::path out = SLFB_BUILD_DIR;
+  int jobs = 0;
+  int threads = 1;
+};
+
+const std::vector<std::pair<std::string, Tier>> tiers{
+    {"correlation", Tier::correlation}, {"1d", Tier::one_dimensional}, {"3d", Tier::three_dimensional}};
+
+Tier tier_named(const std::string& name) {
+  return std::ranges::find(tiers, name, &std::pair<std::string, Tier>::first)->second;
+}
+
+std::string read_file(const fs::path& file) {
+  std::ifstream stream(file, std::ios::binary);
+  std::ostringstream text;
+  if (!stream || !(text << stream.rdbuf())) throw std::runtime_error(fmt::format("cannot read {}", file.string()));
+  return text.str();
+}
+
+std::string about_tier(Tier tier, const std::vector<RunSpec>& runs) {
+  if (tier == Tier::correlation)
+    return "Nothing was simulated: the claims are answered by the homogeneous bed and the balance of forces without "
+           "collisions, which gives an upper limit of V_2.";
+  std::vector<std::string> velocities;
+  for (const RunSpec& run : runs) velocities.push_back(fmt::format("{:.2f}", run.superficial_velocity));
+  const std::string at = fmt::format(" At {} m/s.", fmt::join(velocities, ", "));
+  if (tier == Tier::one_dimensional)
+    return "Simulated in a slice of the paper's bed (20 mm square, periodic sides, 733 spheres) in a one-dimensional "
+           "liquid: collisions and fluctuations are there, walls and circulation of the liquid are not." +
+           at;
+  return "Simulated in the bed of the paper with the settings of the profile quick, three-dimensional liquid." + at;
+}
+
+/// What the candidates are, and what to say of them before and beside the simulations.
+struct Comparison {
+  std::string kind;  ///< "drag": folder of the report
+  std::string title;
+  std::vector<Candidate> candidates;
+};
+
+/// Runs the simulations and fills the candidates. Everything is checked before anything is computed.
+CampaignOutcome compute(Comparison& comparison, Tier tier, const std::vector<Claim>& claims,
+                        const std::vector<RunSpec>& runs, const Options& options) {
+  double core_seconds = 0.0;
+  for (const Candidate& candidate : comparison.candidates)
+    for (RunSpec run : runs) {
+      run.overrides.push_back(candidate.override);
+      const Scene scene = load_run_scene(run);
+      if (!fs::exists(result_file(options.out, scene_hash(scene)))) core_seconds += estimate_run(scene).core_seconds;
+    }
+  const int cores = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+  const int jobs = options.jobs > 0 ? options.jobs : std::max(1, cores / options.threads);
+  CampaignOutcome outcome;
+  if (tier != Tier::correlation) {
+    fmt::print(stderr, "{} simulations, about {} on {} cores\n", comparison.candidates.size() * runs.size(),
+               format_duration(core_seconds / (jobs * options.threads)), jobs * options.threads);
+    outcome = compare::simulate(comparison.candidates, runs,
+                                {.out = options.out, .jobs = jobs, .threads_per_run = options.threads});
+  }
+  compare::evaluate_candidates(comparison.candidates, claims);
+  return outcome;
+}
+
+void write_report(const Comparison& comparison, Tier tier, const std::vector<Claim>& claims,
+                  const std::vector<RunSpec>& runs, std::vector<compare::Section> sections,
+                  const std::string& extra_cost, const nlohmann::ordered_json& extra_json, const fs::path& folder) {
+  sections.push_back(compare::claims_section(comparison.candidates, claims));
+  sections.push_back(compare::cost_section(comparison.candidates, extra_cost));
+  std::vector<std::string> names;
+  for (const Candidate& candidate : comparison.candidates) names.push_back(candidate.name);
+  compare::write_page(comparison.title, fmt::format("<p>{}. {}</p>", fmt::join(names, ", "), about_tier(tier, runs)),
+                      sections, folder);
+  compare::write_claims_csv(comparison.candidates, claims, folder);
+  nlohmann::ordered_json answer = compare::candidates_json(comparison.candidates, claims);
+  if (!extra_json.is_null()) answer["laws"] = extra_json;
+  std::ofstream stream(folder / "compare.json");
+  stream << answer.dump(2) << '\n';
+  if (!stream.flush()) throw std::runtime_error(fmt::format("cannot write {}", (folder / "compare.json").string()));
+}
+
+/// A line of the summary: a name, then a column per candidate.
+void print_row(const std::string& name, const std::vector<std::string>& cells) {
+  fmt::print("{:<38}", name);
+  for (const std::string& cell : cells) fmt::print("{:>20}", cell);
+  fmt::print("\n");
+}
+
+void print_candidates(const std::vector<Candidate>& candidates, std::size_t claims) {
+  for (const compare::Change which : {compare::Change::better, compare::Change::worse, compare::Change::same}) {
+    std::vector<std::string> cells{"-"};
+    for (std::size_t i = 1; i < candidates.size(); ++i) {
+      std::size_t number = 0;
+      for (std::size_t k = 0; k < claims; ++k)
+        if (compare::change(candidates[0].evaluations[k], candidates[i].evaluations[k]) == which) ++number;
+      cells.push_back(fmt::format("{}", number));
+    }
+    print_row(fmt::format("claims {}", to_string(which)), cells);
+  }
+  std::vector<std::string> cells;
+  for (const Candidate& candidate : candidates)
+    cells.push_back(
+        candidate.runs == 0 ? "-" : fmt::format("{:.3g} s", candidate.core_seconds / candidate.simulated_seconds));
+  print_row("core time per simulated second", cells);
+}
+
+int finish(const CampaignOutcome& outcome, const fs::path& folder) {
+  fmt::print("\nreport: {}\n", (folder / "index.html").string());
+  if (outcome.unfinished() > 0)
+    fmt::print(stderr,
+               "{} of the simulations did not finish; the report shows what exists. The same command goes on.\n",
+               outcome.unfinished());
+  return outcome.exit_status();
+}
+
+int compare_drag(const Options& options) {
+  std::vector<std::string> arguments = options.drag;
+  if (arguments.size() == 1 && arguments[0] != "gidaspow-1994") arguments.insert(arguments.begin(), "gidaspow-1994");
+  const auto laws = compare::compared_drag_laws(arguments);
+  if (laws.size() < 2)
+    throw std::invalid_argument("--drag gidaspow-1994: nothing to compare the paper's law with; name another law too");
+  const Tier tier = tier_named(options.tier);
+  const std::vector<Claim> claims = compare::claims_of_runs(options.experiments);
+  const std::vector<RunSpec> runs = compare::runs_of(tier, claims, options.velocities);
+  Comparison comparison{"drag", "Drag laws side by side", {}};
+  for (const auto& compared : laws) {
+    Candidate candidate{compared.name(), "coupling.drag_law=" + compared.argument, {}, {}};
+    if (tier == Tier::correlation) candidate.measurements = compare::measure_homogeneous_bed(compared.law);
+    comparison.candidates.push_back(std::move(candidate));
+  }
+  const auto findings = compare::find_out(laws);
+  const CampaignOutcome outcome = compute(comparison, tier, claims, runs, options);
+
+  const fs::path folder = options.out / "compare" / comparison.kind;
+  const auto sections = compare::drag_sections(laws, findings, comparison.candidates, folder);
+  write_report(comparison, tier, claims, runs, sections, compare::evaluation_cost_html(laws, findings),
+               compare::drag_json(laws, findings), folder);
+
+  std::vector<std::string> names, properties, fluidisation, falls, nanoseconds;
+  for (std::size_t i = 0; i < laws.size(); ++i) {
+    names.push_back(laws[i].name());
+    properties.push_back(fmt::format("{} of {}",
+                                     std::ranges::count(findings[i].properties, true, &compare::PropertyCheck::holds),
+                                     findings[i].properties.size()));
+    fluidisation.push_back(fmt::format("{:.4g}", findings[i].minimum_fluidisation));
+    falls.push_back(fmt::format("{:.4g}", compare::homogeneous_bed(laws[i].law, 0.10).classification_velocity));
+    nanoseconds.push_back(fmt::format("{:.1f} ns", 1e9 * findings[i].seconds_per_evaluation));
+  }
+  print_row("", names);
+  print_row("properties that hold", properties);
+  print_row("U_mf [m/s]", fluidisation);
+  print_row("V_2 by force balance at 0.10 m/s [m/s]", falls);
+  print_row("one evaluation", nanoseconds);
+  print_candidates(comparison.candidates, claims.size());
+  for (std::size_t i = 0; i < laws.size(); ++i)
+    for (const auto& check : findings[i].properties)
+      if (!check.holds) fmt::print("{}: not so: {} ({})\n", laws[i].name(), check.property, check.found);
+  return finish(outcome, folder);
+}
+
+int compare_void_fraction(const Options& options) {
+  std::vector<std::string> known;
+  for (const auto& choice : description::void_fractions) known.emplace_back(choice.word);
+  for (const std::string& name : options.void_fraction)
+    if (std::ranges::find(known, name) == known.end())
+      throw std::invalid_argument(
+          fmt::format("--void-fraction: unknown scheme \"{}\"; known: {}", name, fmt::join(known, ", ")));
+  if (options.void_fraction.size() < 2)
+    throw std::invalid_argument(
+        fmt::format("--void-fraction: needs two schemes or more; known: {}", fmt::join(known, ", ")));
+  const Tier tier = tier_named(options.tier);
+  if (tier == Tier::correlation)
+    throw std::invalid_argument(
+        "--tier correlation: a void-fraction scheme exists in simulations only; allowed are 1d and 3d");
+  const std::vector<Claim> claims = compare::claims_of_runs(options.experiments);
+  const std::vector<RunSpec> runs = compare::runs_of(tier, claims, options.velocities);
+  Comparison comparison{"void-fraction", "Void-fraction schemes side by side", {}};
+  for (const std::string& name : options.void_fraction)
+    comparison.candidates.push_back({name, "coupling.void_fraction=" + name, {}, {}});
+  const CampaignOutcome outcome = compute(comparison, tier, claims, runs, options);
+  const fs::path folder = options.out / "compare" / comparison.kind;
+  fs::create_directories(folder);
+  write_report(comparison, tier, claims, runs, {}, "", nullptr, folder);
+  print_row("", options.void_fraction);
+  print_candidates(comparison.candidates, claims.size());
+  return finish(outcome, folder);
+}
+
+}  // namespace
+
+void add_compare_command(CLI::App& app) {
+  auto options = std::make_shared<Options>();
+  CLI::App* command = app.add_subcommand("compare", "Compare laws, also your own, in formulas and in simulations");
+  std::vector<std::string> tier_names;
+  for (const auto& [name, tier] : tiers) tier_names.push_back(name);
+  auto* drag =
+      command->add_option("--drag", options->drag, "Drag laws: names from `slfb laws --kind drag`, or C++ files")
+          ->delimiter(',')
+          ->type_name("LAW,LAW,...");
+  auto* void_fraction = command->add_option("--void-fraction", options->void_fraction, "Void-fraction schemes")
+                            ->delimiter(',')
+                            ->type_name("SCHEME,...");
+  auto* print_template =
+      command->add_option("--template", options->template_kind, "Print a file to start an own law from: drag")
+          ->check(CLI::IsMember({"drag"}));
+  drag->excludes(void_fraction)->excludes(print_template);
+  void_fraction->excludes(print_template);
+  command->add_option("--tier", options->tier, "How much to simulate: correlation, 1d or 3d")
+      ->check(CLI::IsMember(tier_names))
+      ->capture_default_str();
+  command
+      ->add_option("--experiments", options->experiments,
+                   "Only claims whose id begins so, such as fig10 (default: all)")
+      ->delimiter(',')
+      ->type_name("ID,...");
+  command->add_option("--velocities", options->velocities, "Superficial velocities of the runs [m/s]")
+      ->delimiter(',')
+      ->type_name("U,...");
+  command->add_option("--out", options->out, "Folder of runs/ and compare/")->capture_default_str();
+  command->add_option("--jobs", options->jobs, "Simulations side by side (default: cores over threads)")
+      ->check(CLI::PositiveNumber);
+  command->add_option("--threads", options->threads, "Threads of each simulation")
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str();
+  command->footer(examples);
+  command->callback([options] {
+    int status = 0;
+    try {
+      if (!options->template_kind.empty()) {
+        std::cout << read_file(fs::path(SLFB_SOURCE_DIR) / "experiments" / "compare" / "templates" /
+                               (options->template_kind + "_law.cpp"));
+      } else if (!options->drag.empty()) {
+        status = compare_drag(*options);
+      } else if (!options->void_fraction.empty()) {
+        status = compare_void_fraction(*options);
+      } else {
+        throw CLI::ValidationError("needed is one of --drag, --void-fraction and --template");
+      }
+    } catch (const std::invalid_argument& error) {  // an unknown name
+      throw CLI::ValidationError(error.what());
+    }
+    if (status != 0) throw CLI::RuntimeError(status);
+  });
+}
+
+}  // namespace slfb

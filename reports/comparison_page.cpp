@@ -1,0 +1,207 @@
+#include "reports/comparison_page.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <sstream>
+#include <stdexcept>
+
+#include "reports/html.hpp"
+
+namespace slfb::compare {
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::ordered_json;
+
+void write_file(const fs::path& file, const std::string& text) {
+  std::ofstream stream(file, std::ios::binary);
+  stream << text;
+  stream.close();
+  if (!stream) throw std::runtime_error(fmt::format("cannot write {}", file.string()));
+}
+
+std::string style() {
+  const fs::path file = fs::path(SLFB_SOURCE_DIR) / "reports" / "report.css";
+  std::ifstream stream(file, std::ios::binary);
+  std::ostringstream text;
+  if (!stream || !(text << stream.rdbuf())) throw std::runtime_error(fmt::format("cannot read {}", file.string()));
+  return text.str();
+}
+
+std::string verdict_class(Verdict verdict) {
+  std::string name(to_string(verdict));
+  std::ranges::replace(name, ' ', '-');
+  return name;
+}
+
+const char* change_class(Change change) {
+  return change == Change::better ? "reproduced" : change == Change::worse ? "not-reproduced" : "not-decidable";
+}
+
+std::string answer_html(const Evaluation& evaluation, const Change* change) {
+  if (!evaluation.ours) return "–";
+  std::string text = fmt::format("<span class=\"number\">{}</span>", readable_number(*evaluation.ours));
+  if (evaluation.interval && evaluation.interval->second > evaluation.interval->first)
+    text += fmt::format("<span class=\"id number\">{} … {}</span>", readable_number(evaluation.interval->first),
+                        readable_number(evaluation.interval->second));
+  text += fmt::format("<span class=\"badge {}\">{}</span>", verdict_class(evaluation.verdict),
+                      to_string(evaluation.verdict));
+  if (change != nullptr)
+    text += fmt::format(" <span class=\"badge {}\">{}</span>", change_class(*change), to_string(*change));
+  return "<div>" + text + "</div>";
+}
+
+ordered_json number_or_null(double value) { return std::isfinite(value) ? ordered_json(value) : ordered_json(nullptr); }
+
+}  // namespace
+
+std::string table_html(const std::vector<std::string>& headings, const std::vector<std::vector<std::string>>& rows) {
+  std::string html = "<div class=\"card scroll\"><table class=\"stack\"><thead><tr>";
+  for (const auto& heading : headings) html += "<th>" + heading + "</th>";
+  html += "</tr></thead><tbody>\n";
+  for (const auto& row : rows) {
+    html += "<tr>";
+    for (std::size_t i = 0; i < row.size(); ++i)
+      html += i == 0 ? "<td class=\"lead\">" + row[i] + "</td>"
+                     : fmt::format("<td data-label=\"{}\">{}</td>", headings[i], row[i]);
+    html += "</tr>\n";
+  }
+  return html + "</tbody></table></div>\n";
+}
+
+std::string badge_html(bool good, const std::string& word, const std::string& found) {
+  return fmt::format("<div><span class=\"badge {}\">{} {}</span><span class=\"id\">{}</span></div>",
+                     good ? "reproduced" : "not-reproduced", good ? "✓" : "✗", escape_html(word), escape_html(found));
+}
+
+std::string pictures_html(const std::vector<Picture>& pictures) {
+  std::string html;
+  for (const Picture& picture : pictures)
+    html += fmt::format(
+        "<article class=\"card figure wide\" id=\"{0}\"><div class=\"picture\"><a href=\"figures/{0}.svg\"><img "
+        "src=\"figures/{0}.svg\" alt=\"{1}\" loading=\"lazy\" /></a></div><div "
+        "class=\"words\"><h3>{1}</h3><p>{2}</p><div class=\"files\"><a href=\"figures/{0}.svg\">svg</a><a "
+        "href=\"figures/{0}.png\">png</a><a href=\"figures/{0}.csv\">csv</a><a "
+        "href=\"figures/{0}.gp\">gp</a></div></div></article>\n",
+        escape_html(picture.id), prose_html(picture.title), prose_html(picture.caption));
+  return html;
+}
+
+Section claims_section(const std::vector<Candidate>& candidates, const std::vector<Claim>& claims) {
+  std::vector<std::string> headings{"Claim", "Paper"};
+  for (const Candidate& candidate : candidates) headings.push_back(escape_html(candidate.name));
+  std::vector<std::vector<std::string>> rows;
+  std::vector<std::map<Change, std::size_t>> counts(candidates.size());
+  for (std::size_t k = 0; k < claims.size(); ++k) {
+    if (!answered(candidates, k)) continue;
+    const std::string unit = claims[k].unit == "-" ? "" : " " + escape_html(claims[k].unit);
+    std::vector<std::string> row{
+        fmt::format("{}<span class=\"id\">{}</span>", prose_html(claims[k].quantity), escape_html(claims[k].id)),
+        prose_html(claims[k].paper_text()) + unit};
+    for (std::size_t i = 0; i < candidates.size(); ++i) {
+      const Change changed = change(candidates[0].evaluations[k], candidates[i].evaluations[k]);
+      if (candidates[i].evaluations[k].ours) ++counts[i][changed];
+      row.push_back(answer_html(candidates[i].evaluations[k], i == 0 ? nullptr : &changed));
+    }
+    rows.push_back(std::move(row));
+  }
+  std::string html = fmt::format(
+      "<p>What the paper states and what each candidate gives, with 95 % intervals. Beside the first, <b>{}</b>, a "
+      "candidate is better or worse where it lies nearer to or farther from the paper's number by more than both "
+      "intervals together; a trend goes by its verdict; the rest is the same, or undecided where a single sample has "
+      "no "
+      "interval. {} of {} claims of simulations are answered here; the others need other runs.</p>\n",
+      escape_html(candidates[0].name), rows.size(), claims.size());
+  std::vector<std::vector<std::string>> summary;
+  for (std::size_t i = 1; i < candidates.size(); ++i) {
+    const auto number = [&](Change which) { return fmt::format("{}", counts[i][which]); };
+    summary.push_back({escape_html(candidates[i].name), number(Change::better), number(Change::worse),
+                       number(Change::same), number(Change::undecided)});
+  }
+  html += table_html({"Candidate", "Better", "Worse", "Same", "Undecided"}, summary) + table_html(headings, rows);
+  return {"claims", "Claims side by side", html};
+}
+
+Section cost_section(const std::vector<Candidate>& candidates, const std::string& extra_html) {
+  std::vector<std::vector<std::string>> rows;
+  const auto cost = [](const Candidate& candidate) { return candidate.core_seconds / candidate.simulated_seconds; };
+  for (const Candidate& candidate : candidates) {
+    if (candidate.runs == 0) continue;
+    rows.push_back({escape_html(candidate.name), fmt::format("{}", candidate.runs),
+                    readable_duration(candidate.core_seconds), fmt::format("{:.3g} s", cost(candidate)),
+                    fmt::format("{:.2f}", cost(candidate) / cost(candidates[0]))});
+  }
+  const std::string runs =
+      rows.empty()
+          ? "<p>Nothing was simulated in this tier.</p>\n"
+          : table_html({"Candidate", "Runs", "Core time", "Core time per simulated second", "Beside the first"}, rows);
+  return {"cost", "What it costs", extra_html + runs};
+}
+
+ordered_json candidates_json(const std::vector<Candidate>& candidates, const std::vector<Claim>& claims) {
+  ordered_json answer;
+  for (const Candidate& candidate : candidates)
+    answer["candidates"].push_back({{"name", candidate.name},
+                                    {"override", candidate.override},
+                                    {"runs", candidate.runs},
+                                    {"core_seconds", candidate.core_seconds},
+                                    {"simulated_seconds", candidate.simulated_seconds}});
+  answer["claims"] = ordered_json::array();
+  for (std::size_t k = 0; k < claims.size(); ++k) {
+    if (!answered(candidates, k)) continue;
+    ordered_json row{{"id", claims[k].id}, {"paper", claims[k].paper_text()}, {"unit", claims[k].unit}};
+    for (const Candidate& candidate : candidates) {
+      const Evaluation& evaluation = candidate.evaluations[k];
+      ordered_json& cell = row["answers"][candidate.name];
+      cell["ours"] = evaluation.ours ? number_or_null(*evaluation.ours) : ordered_json(nullptr);
+      cell["interval"] = evaluation.interval ? ordered_json{number_or_null(evaluation.interval->first),
+                                                            number_or_null(evaluation.interval->second)}
+                                             : ordered_json(nullptr);
+      cell["verdict"] = to_string(evaluation.verdict);
+      cell["change"] = to_string(change(candidates[0].evaluations[k], evaluation));
+    }
+    answer["claims"].push_back(std::move(row));
+  }
+  return answer;
+}
+
+void write_claims_csv(const std::vector<Candidate>& candidates, const std::vector<Claim>& claims,
+                      const fs::path& folder) {
+  std::string text = "claim,paper,unit,candidate,ours,lower,upper,verdict,change\n";
+  const auto number = [](double value) { return std::isfinite(value) ? fmt::format("{:.9g}", value) : "NaN"; };
+  for (std::size_t k = 0; k < claims.size(); ++k) {
+    if (!answered(candidates, k)) continue;
+    for (const Candidate& candidate : candidates) {
+      const Evaluation& evaluation = candidate.evaluations[k];
+      const double none = std::nan("");
+      const auto [lower, upper] = evaluation.interval.value_or(std::pair{none, none});
+      text += fmt::format("{},{},{},{},{},{},{},{},{}\n", claims[k].id, claims[k].paper_text(), claims[k].unit,
+                          candidate.name, number(evaluation.ours.value_or(none)), number(lower), number(upper),
+                          to_string(evaluation.verdict), to_string(change(candidates[0].evaluations[k], evaluation)));
+    }
+  }
+  write_file(folder / "claims.csv", text);
+}
+
+void write_page(const std::string& title, const std::string& introduction, const std::vector<Section>& sections,
+                const fs::path& folder) {
+  std::string links, body;
+  for (const Section& section : sections) {
+    links += fmt::format("<a href=\"#{}\">{}</a>", section.id, section.title);
+    body += fmt::format("<section id=\"{}\">\n<h2>{}</h2>\n{}</section>\n", section.id, section.title, section.html);
+  }
+  write_file(folder / "index.html",
+             fmt::format("<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\" />\n<meta "
+                         "name=\"viewport\" content=\"width=device-width, initial-scale=1\" "
+                         "/>\n<title>{0}</title>\n<style>\n{1}</style>\n</head>\n<body>\n<header "
+                         "class=\"masthead\"><div>\n<h1>{0}</h1>\n{2}</div></header>\n<nav><div>{3}</div></nav>\n"
+                         "<main>\n{4}</main>\n</body>\n</html>\n",
+                         escape_html(title), style(), introduction, links, body));
+}
+
+}  // namespace slfb::compare

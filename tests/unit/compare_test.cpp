@@ -1,0 +1,243 @@
+// What a comparison says of laws: planted faults are found, and nothing else; claims side by side are judged by their
+// intervals; errors come before any work.
+
+#include "experiments/commands/compare.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "correlations/classification/force_balance.hpp"
+#include "correlations/drag/drag_laws.hpp"
+#include "experiments/compare/candidates.hpp"
+#include "experiments/compare/drag_study.hpp"
+#include "experiments/paper_conditions.hpp"
+#include "solver/user_law.hpp"
+
+namespace slfb::compare {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr LawInfo planted_info(double largest_reynolds) {
+  LawInfo info = drag::WenYu1966::info;
+  info.name = "planted";
+  info.reynolds = {0.0, largest_reynolds};
+  return info;
+}
+
+/// Wen and Yu's law in its smooth range times a factor of the voidage and the Reynolds number.
+template <class Factor>
+struct Planted {
+  static constexpr LawInfo info = planted_info(900.0);
+  double operator()(drag::SuspensionFlow flow) const { return Factor{}(flow)*drag::WenYu1966{}(flow); }
+};
+
+struct Nothing {
+  double operator()(drag::SuspensionFlow) const { return 1.0; }
+};
+struct HalfOfStokes {
+  double operator()(drag::SuspensionFlow) const { return 0.5; }
+};
+struct Jump {
+  double operator()(drag::SuspensionFlow flow) const { return flow.voidage > 0.7123 ? 0.95 : 1.0; }
+};
+struct LooserIsMoreDrag {
+  double operator()(drag::SuspensionFlow flow) const { return std::pow(flow.voidage, 3.7); }
+};
+struct FasterIsLessDrag {
+  double operator()(drag::SuspensionFlow flow) const { return 1.0 / (1.0 + std::pow(flow.reynolds / 30.0, 2)); }
+};
+struct FasterThanSquare {
+  double operator()(drag::SuspensionFlow flow) const { return 1.0 + std::pow(flow.reynolds / 100.0, 2); }
+};
+
+/// Which of the properties do not hold, by their place.
+template <class Law>
+std::vector<int> failing() {
+  std::vector<int> places;
+  const auto checks = check_properties(drag::kernels_of<Law>());
+  for (std::size_t i = 0; i < checks.size(); ++i)
+    if (!checks[i].holds) places.push_back(static_cast<int>(i));
+  return places;
+}
+
+enum Place { stokes, single_sphere, crowding, slip, square, derivative, jumps, expansion };
+
+TEST(DragProperties, ASoundLawHasAll) { EXPECT_EQ(failing<Planted<Nothing>>(), (std::vector<int>{})); }
+
+TEST(DragProperties, PlantedFaultsAreFound) {
+  EXPECT_EQ(failing<Planted<HalfOfStokes>>(), (std::vector<int>{stokes, single_sphere}));
+  EXPECT_EQ(failing<Planted<Jump>>(), (std::vector<int>{jumps}));
+  EXPECT_EQ(failing<Planted<LooserIsMoreDrag>>(), (std::vector<int>{crowding, expansion}));
+  const auto less = failing<Planted<FasterIsLessDrag>>();
+  EXPECT_NE(std::ranges::find(less, slip), less.end());
+  const auto more = failing<Planted<FasterThanSquare>>();
+  EXPECT_NE(std::ranges::find(more, square), more.end());
+}
+
+TEST(DragProperties, AWrongDerivativeIsFound) {
+  auto law = drag::kernels_of<Planted<Nothing>>();
+  law.slip_derivative = [](const double* voidage, const double* reynolds, double* result, std::size_t count) {
+    for (std::size_t i = 0; i < count; ++i)
+      result[i] = 1.01 * drag::slip_derivative(drag::WenYu1966{}, {voidage[i], reynolds[i]});
+  };
+  const auto checks = check_properties(law);
+  EXPECT_FALSE(checks[derivative].holds) << checks[derivative].found;
+}
+
+// Gidaspow's law changes its formula at a voidage of 0.8; his blend of the two was made to mend that.
+TEST(DragProperties, GidaspowsJumpIsWhereHisFormulaChanges) {
+  const auto jump = check_properties(find_drag_law("gidaspow-1994"))[jumps];
+  EXPECT_FALSE(jump.holds);
+  EXPECT_NE(jump.found.find("e = 0.8,"), std::string::npos) << jump.found;
+}
+
+TEST(DragRatio, IsOneForTheLawItselfAndAFactorForAFactor) {
+  const auto law = drag::kernels_of<Planted<Nothing>>(), half = drag::kernels_of<Planted<HalfOfStokes>>();
+  EXPECT_DOUBLE_EQ(drag_ratio(law, law).largest, 1.0);
+  EXPECT_DOUBLE_EQ(drag_ratio(half, law).smallest, 0.5);
+  EXPECT_DOUBLE_EQ(drag_ratio(half, law).median, 0.5);
+}
+
+// With a constant F the balance is linear: slip = (ρ_2 − ρ_M) g d² / (18 μ ε F).
+TEST(ForceBalance, HasAClosedFormForLinearDrag) {
+  const auto law = [](drag::SuspensionFlow) { return 250.0; };
+  const ForeignSphereInBed state{paper::glass(0.005), paper::steel(0.006), paper::water(), 0.6, 0.1};
+  const double mixture = 0.6 * state.liquid.density + 0.4 * state.bed.density;
+  const double slip = (state.foreign.density - mixture) * 9.81 * 36e-6 / (18.0 * state.liquid.viscosity * 0.6 * 250.0);
+  EXPECT_NEAR(classification::force_balance_velocity(law, state), slip - 0.1 / 0.6, 1e-10);
+}
+
+TEST(HomogeneousBed, AnswersUnderTheKeysOfTheSimulations) {
+  const Measurements found = measure_homogeneous_bed(find_drag_law("di-felice-1994"));
+  const double fluidisation = found.at("minimum_fluidisation_velocity/6in5W").value;
+  EXPECT_NEAR(homogeneous_bed(find_drag_law("di-felice-1994"), 1.0001 * fluidisation).voidage, paper::packed_voidage(),
+              1e-4);
+  EXPECT_GT(found.at("classification_velocity/6in5W/0.10").value, found.at("classification_velocity/6in5W/0.06").value);
+}
+
+Evaluation answer(double ours, double half_width) {
+  Evaluation evaluation;
+  evaluation.claim.paper = 2.0;
+  evaluation.ours = ours;
+  if (std::isfinite(half_width)) evaluation.interval = {ours - half_width, ours + half_width};
+  return evaluation;
+}
+
+TEST(Change, NeedsMoreThanBothIntervals) {
+  EXPECT_EQ(change(answer(2.5, 0.1), answer(2.2, 0.1)), Change::better);
+  EXPECT_EQ(change(answer(2.5, 0.1), answer(1.8, 0.1)), Change::better);  // nearer on the other side
+  EXPECT_EQ(change(answer(2.2, 0.1), answer(1.5, 0.1)), Change::worse);
+  EXPECT_EQ(change(answer(2.5, 0.3), answer(2.2, 0.3)), Change::same);
+  EXPECT_EQ(change(answer(2.5, 0.1), answer(2.2, std::nan(""))), Change::undecided);
+  EXPECT_EQ(change(answer(2.5, 0.1), Evaluation{}), Change::undecided);
+}
+
+TEST(Change, OfABoundCountsOnlyWhatLiesBeyondIt) {
+  Evaluation first = answer(2.5, 0.1), other = answer(1.0, 0.1);
+  first.claim.kind = other.claim.kind = StatementKind::at_most;
+  EXPECT_EQ(change(first, other), Change::better);
+  first.ours = 1.9;
+  EXPECT_EQ(change(first, other), Change::same);
+}
+
+TEST(Change, OfATrendGoesByItsVerdict) {
+  Evaluation first = answer(1.0, 0.1), other = answer(1.0, 0.1);
+  first.claim.kind = other.claim.kind = StatementKind::increasing;
+  first.verdict = Verdict::not_reproduced;
+  other.verdict = Verdict::reproduced;
+  EXPECT_EQ(change(first, other), Change::better);
+  EXPECT_EQ(change(other, first), Change::worse);
+}
+
+TEST(RunsOf, AreThoseThatTheClaimsAskFor) {
+  const auto claims = claims_of_runs({"fig10"});
+  EXPECT_TRUE(runs_of(Tier::correlation, claims, {}).empty());
+  const auto slice = runs_of(Tier::one_dimensional, claims, {0.10});
+  ASSERT_EQ(slice.size(), 1u);
+  EXPECT_EQ(slice[0].superficial_velocity, 0.10);
+  EXPECT_THROW(runs_of(Tier::one_dimensional, claims, {0.123}), std::invalid_argument);
+  EXPECT_THROW(claims_of_runs({"fig99"}), std::invalid_argument);
+}
+
+class CompareCommand : public testing::Test {
+ protected:
+  CompareCommand()
+      : out_(fs::path(testing::TempDir()) /
+             (std::string("slfb_compare_") + testing::UnitTest::GetInstance()->current_test_info()->name())) {
+    fs::remove_all(out_);
+  }
+  ~CompareCommand() override { fs::remove_all(out_); }
+
+  std::string run(std::vector<std::string> words) {
+    CLI::App app{"slfb"};
+    add_compare_command(app);
+    words.insert(words.begin(), "compare");
+    words.insert(words.end(), {"--out", out_.string()});
+    testing::internal::CaptureStdout();
+    try {
+      app.parse(std::vector<std::string>(words.rbegin(), words.rend()));  // CLI11 takes the words last first
+    } catch (...) {
+      testing::internal::GetCapturedStdout();
+      throw;
+    }
+    return testing::internal::GetCapturedStdout();
+  }
+
+  std::string error_of(const std::vector<std::string>& words) {
+    try {
+      run(words);
+    } catch (const std::exception& error) {
+      EXPECT_FALSE(fs::exists(out_)) << "something was done before the error";
+      return error.what();
+    }
+    return "";
+  }
+
+  fs::path out_;
+};
+
+TEST_F(CompareCommand, ErrorsComeBeforeAnyWork) {
+  EXPECT_NE(error_of({"--drag", "gidaspow-1994,wenyu"}).find("known: ergun-1952"), std::string::npos);
+  EXPECT_NE(error_of({"--drag", "wen-yu-1966,wen-yu-1966"}).find("compared twice"), std::string::npos);
+  EXPECT_NE(error_of({"--drag", "wen-yu-1966", "--experiments", "fig99"}).find("fig99"), std::string::npos);
+  EXPECT_NE(error_of({"--drag", "wen-yu-1966", "--velocities", "0.5"}).find("allowed are 0.06"), std::string::npos);
+  EXPECT_NE(error_of({"--void-fraction", "centroid,exact"}).find("exact-overlap"), std::string::npos);
+  EXPECT_NE(error_of({"--drag", "wen-yu-1966", "--tier", "4d"}).find("4d"), std::string::npos);
+  EXPECT_NE(error_of({"--drag", "none.cpp"}).find("none.cpp"), std::string::npos);
+  EXPECT_NE(error_of({}).find("--drag"), std::string::npos);
+}
+
+TEST_F(CompareCommand, ALawThatFailsInItsOwnRangeStopsTheComparison) {
+  const fs::path file = fs::path(testing::TempDir()) / "slfb_negative.cpp";
+  std::string text = run({"--template", "drag"});
+  text.replace(text.find("return one_sphere"), 17, "return (0.5 - flow.voidage) * one_sphere");
+  std::ofstream(file) << text;
+  const std::string message = error_of({"--drag", file.string()});
+  EXPECT_NE(message.find("needed is a number above zero"), std::string::npos) << message;
+  EXPECT_NE(message.find("e = 0.5"), std::string::npos) << message;
+}
+
+TEST_F(CompareCommand, WritesTheReportOfTheCorrelations) {
+  const std::string summary = run({"--drag", "gidaspow-1994,di-felice-1994", "--tier", "correlation"});
+  EXPECT_NE(summary.find("di-felice-1994"), std::string::npos);
+  const fs::path folder = out_ / "compare" / "drag";
+  for (const char* file : {"index.html", "claims.csv", "compare.json", "figures/drag_maps.png",
+                           "figures/ratio_di-felice-1994.csv", "figures/bed_expansion.svg"})
+    EXPECT_TRUE(fs::exists(folder / file)) << file;
+  EXPECT_FALSE(fs::exists(out_ / "runs"));
+  std::ifstream stream(folder / "compare.json");
+  const auto answer = nlohmann::json::parse(stream);
+  EXPECT_EQ(answer.at("candidates").size(), 2u);
+  EXPECT_GT(answer.at("claims").size(), 10u);
+  EXPECT_EQ(answer.at("laws").at(1).at("ratio_to").at("di-felice-1994").at("median"), 1.0);
+}
+
+}  // namespace
+}  // namespace slfb::compare
