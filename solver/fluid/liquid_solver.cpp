@@ -14,7 +14,7 @@ constexpr std::size_t vertical = 2;
 
 /// Of the momentum equations' sweeps: change over the largest velocity that ends them [-], and how many there may be.
 constexpr double momentum_tolerance = 1e-10;
-constexpr int most_sweeps = 500;
+constexpr int most_sweeps = 5000;
 
 std::size_t index(int section, int level, int levels) {
   return static_cast<std::size_t>(section) * static_cast<std::size_t>(levels) + static_cast<std::size_t>(level);

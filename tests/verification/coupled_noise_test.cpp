@@ -8,8 +8,9 @@ namespace slfb {
 namespace {
 
 // The study of experiments/pressure_noise in small. Spheres that are cut exactly displace the liquid smoothly, so that
-// the pressure drop fluctuates as much at steps of 1e-4 s as at 1e-3 s: within 30 %. By centroids each crossing of a
-// face displaces a whole sphere within a step, which shows the more the shorter the step is.
+// the pressure drop fluctuates about as much at steps of 1e-4 s as at 1e-3 s: by a half more in this small bed, by 30 %
+// in the study's; the longer step leaves out what collisions do within it. Of a sphere in pieces each piece that
+// crosses a face displaces its whole volume within a step, which shows the more the shorter the step is.
 TEST(PressureNoise, DoesNotGrowAsTheStepShrinksWithTheDefaultScheme) {
   Scene scene = noise::study_scene();
   scene.geometry.diameter = 0.025;
@@ -26,8 +27,8 @@ TEST(PressureNoise, DoesNotGrowAsTheStepShrinksWithTheDefaultScheme) {
                point.high);
     return point.rms;
   };
-  EXPECT_NEAR(rms(VoidFractionScheme::exact_overlap, 1e-4) / rms(VoidFractionScheme::exact_overlap, 1e-3), 1.0, 0.3);
-  EXPECT_GT(rms(VoidFractionScheme::centroid, 1e-4) / rms(VoidFractionScheme::centroid, 1e-3), 3.0);
+  EXPECT_NEAR(rms(VoidFractionScheme::exact_overlap, 1e-4) / rms(VoidFractionScheme::exact_overlap, 1e-3), 1.0, 0.6);
+  EXPECT_GT(rms(VoidFractionScheme::particle_meshing, 1e-4) / rms(VoidFractionScheme::particle_meshing, 1e-3), 5.0);
 }
 
 }  // namespace
