@@ -48,7 +48,7 @@ struct Jump {
   double operator()(drag::SuspensionFlow flow) const { return flow.voidage > 0.7123 ? 0.95 : 1.0; }
 };
 struct LooserIsMoreDrag {
-  double operator()(drag::SuspensionFlow flow) const { return std::pow(flow.voidage, 3.7); }
+  double operator()(drag::SuspensionFlow flow) const { return std::pow(flow.voidage, 7.0); }
 };
 struct FasterIsLessDrag {
   double operator()(drag::SuspensionFlow flow) const { return 1.0 / (1.0 + std::pow(flow.reynolds / 30.0, 2)); }
