@@ -99,7 +99,7 @@ FigureOutput draw(const FigureContext& outer) {
   for (const Combination& c : combinations) {
     DataTable table{fmt::format("drag_law_{}", c.variant),
                     {"superficial velocity [m/s]", "voidage [-]", "half width [-]", "V_2 [m/s]", "half width [m/s]",
-                     "|F_c|/mg [-]", "half width [-]", "drag over weight [-]", "wall seconds per simulated second"},
+                     "|F_c|/mg [-]", "half width [-]", "drag over weight [-]", "wall time per simulated time [s/s]"},
                     {}};
     double squares = 0.0;
     int counted = 0;
@@ -129,13 +129,20 @@ FigureOutput draw(const FigureContext& outer) {
     if (deviation < least) least = deviation, nearest = title;
     output.data.push_back(write_csv(table, outer.out));
     // Points and bars apart: a mean without an interval still has its point.
-    const auto series = [&](int column, int x_column, double shift, bool titled) {
+    const auto series = [&](std::size_t column, std::size_t x_column, double shift, bool titled) {
+      const auto any = [&](std::size_t k) {
+        return std::any_of(table.rows.begin(), table.rows.end(),
+                           [&](const auto& row) { return std::isfinite(row[k - 1]); });
+      };
       const std::string style = fmt::format("linecolor rgb {} pointtype {} pointsize 0.8", c.colour, c.point_type);
-      return fmt::format(
-          ", '{0}.csv' skip 1 using (${1}+{2}):{3}:{4} with yerrorbars {5} notitle, "
-          "'' skip 1 using (${1}+{2}):{3} with points {5} {6}",
-          table.name, x_column, shift, column, column + 1, style,
-          titled ? fmt::format("title '{}'", title) : std::string("notitle"));
+      std::string plots;
+      if (any(column + 1))
+        plots += fmt::format(", '{}.csv' skip 1 using (${}+{}):{}:{} with yerrorbars {} notitle", table.name, x_column,
+                             shift, column, column + 1, style);
+      if (any(column))
+        plots += fmt::format(", '{}.csv' skip 1 using (${}+{}):{} with points {} {}", table.name, x_column, shift,
+                             column, style, titled ? fmt::format("title '{}'", title) : std::string("notitle"));
+      return plots;
     };
     voidages += series(2, 1, c.shift, true);
     velocities += series(4, 1, c.shift, false);
