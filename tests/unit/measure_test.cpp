@@ -50,9 +50,8 @@ FinishedRun made_up_run(double velocity, const std::string& name, double voidage
     bed.contact_force_foreign.push_back(0.0);
     bed.contact_force_wall.push_back(1e-3);
     bed.network_step.push_back(0.5);
-    for (auto* force :
-         {&bed.pressure_force, &bed.buoyant_weight, &bed.bottom_force, &bed.wall_force, &bed.shear_force,
-          &bed.flow_force, &bed.sphere_inertia, &bed.liquid_inertia, &bed.balance_residual})
+    for (auto* force : {&bed.pressure_force, &bed.buoyant_weight, &bed.bottom_force, &bed.wall_force, &bed.shear_force,
+                        &bed.flow_force, &bed.sphere_inertia, &bed.liquid_inertia, &bed.balance_residual})
       force->push_back(0.0);
     bed.maximum_overlap.push_back(0.01);
     bed.foreign_present.push_back(dropped ? 1.0 : 0.0);
