@@ -251,6 +251,22 @@ DropStatistics analyse_drop(const DropSeries& drop, const DropSurroundings& surr
   return statistics;
 }
 
+std::vector<double> plane_vorticity(const PlaneField& plane) {
+  if (plane.velocity_x.size() != plane.voidage.size() || plane.velocity_z.size() != plane.voidage.size()) return {};
+  const std::size_t columns = plane.x.size(), rows = plane.z.size();
+  std::vector<double> vorticity(plane.voidage.size(), nan);
+  for (std::size_t row = 1; row + 1 < rows; ++row) {
+    for (std::size_t column = 1; column + 1 < columns; ++column) {
+      const std::size_t here = row * columns + column;
+      vorticity[here] =
+          (plane.velocity_x[here + columns] - plane.velocity_x[here - columns]) /
+              (plane.z[row + 1] - plane.z[row - 1]) -
+          (plane.velocity_z[here + 1] - plane.velocity_z[here - 1]) / (plane.x[column + 1] - plane.x[column - 1]);
+    }
+  }
+  return vorticity;
+}
+
 std::optional<PlaneStatistics> analyse_plane(const PlaneField& plane, double bed_top) {
   const std::size_t columns = plane.x.size();
   const auto rows =
@@ -262,27 +278,19 @@ std::optional<PlaneStatistics> analyse_plane(const PlaneField& plane, double bed
   if (voidage.empty()) return std::nullopt;
   PlaneStatistics statistics{gsl_stats_sd_with_fixed_mean(voidage.data(), 1, voidage.size(), mean_of(voidage)), nan,
                              nan};
-  if (plane.velocity_x.size() != plane.voidage.size() || plane.velocity_z.size() != plane.voidage.size()) {
-    return statistics;
-  }
+  const auto vorticity = plane_vorticity(plane);
+  if (vorticity.empty()) return statistics;
 
   double lowest = std::numeric_limits<double>::infinity();
   double highest = -lowest;
   double fastest = 0.0;
-  for (std::size_t row = 0; row < rows; ++row) {
-    for (std::size_t column = 0; column < columns; ++column) {
-      const std::size_t here = row * columns + column;
-      const double speed = std::hypot(plane.velocity_x[here], plane.velocity_z[here]);
-      if (std::isfinite(speed)) fastest = std::max(fastest, speed);
-      if (row == 0 || row + 1 == rows || column == 0 || column + 1 == columns) continue;
-      const double vorticity =
-          (plane.velocity_x[here + columns] - plane.velocity_x[here - columns]) /
-              (plane.z[row + 1] - plane.z[row - 1]) -
-          (plane.velocity_z[here + 1] - plane.velocity_z[here - 1]) / (plane.x[column + 1] - plane.x[column - 1]);
-      if (!std::isfinite(vorticity)) continue;  // a neighbour lies outside the column
-      lowest = std::min(lowest, vorticity);
-      highest = std::max(highest, vorticity);
-    }
+  for (std::size_t here = 0; here < rows * columns; ++here) {
+    const double speed = std::hypot(plane.velocity_x[here], plane.velocity_z[here]);
+    if (std::isfinite(speed)) fastest = std::max(fastest, speed);
+    // The uppermost row of the bed takes its gradient from the clear liquid above.
+    if (here >= (rows - 1) * columns || !std::isfinite(vorticity[here])) continue;
+    lowest = std::min(lowest, vorticity[here]);
+    highest = std::max(highest, vorticity[here]);
   }
   statistics.speed_maximum = fastest;
   if (highest >= lowest) statistics.vorticity_range = highest - lowest;

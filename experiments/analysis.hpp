@@ -128,9 +128,13 @@ inline constexpr double resting_speed = 1e-3;
 /// Unevenness of the plane y = 0 below the top of the bed.
 struct PlaneStatistics {
   double voidage_deviation = 0.0;  ///< standard deviation of the voidage over the cells [-]
-  double vorticity_range = 0.0;  ///< largest minus smallest ∂u_x/∂z − ∂u_z/∂x (Fig. 14) [1/s]; NaN without velocities
-  double speed_maximum = 0.0;  ///< largest |u| of the interstitial liquid [m/s]; NaN without velocities
+  double vorticity_range = 0.0;    ///< largest minus smallest plane_vorticity (Fig. 14) [1/s]; NaN without velocities
+  double speed_maximum = 0.0;      ///< largest |u| of the interstitial liquid [m/s]; NaN without velocities
 };
+
+/// Vorticity about y, ∂u_x/∂z − ∂u_z/∂x, by central differences at the cells of the plane [1/s]; not a number at the
+/// edges and beside cells outside the column. Empty when the plane has no velocities.
+std::vector<double> plane_vorticity(const PlaneField& plane);
 
 /// Empty when no cell lies below `bed_top`.
 std::optional<PlaneStatistics> analyse_plane(const PlaneField& plane, double bed_top);

@@ -119,6 +119,46 @@ std::string error_bars(const DataTable& table, const std::vector<int>& using_col
                      join(columns, ":"), style, line_style);
 }
 
+DataTable against_bed(const FigureContext& context, std::string_view quantity, const std::string& heading,
+                      std::string_view system, std::string_view variant, BedAbscissa abscissa) {
+  const bool solids = abscissa == BedAbscissa::solid_fraction;
+  DataTable table{fmt::format("{}_{}{}{}", quantity, system, variant.empty() ? "" : "_", variant),
+                  {"superficial velocity [m/s]", solids ? "solid fraction [-]" : "voidage [-]",
+                   "half width of its 95 % interval", heading, "half width of its 95 % interval"},
+                  {}};
+  for (const auto& point : measured_points(context.measurements, quantity, system, variant)) {
+    const auto voidage =
+        context.measurements.find(measure_key("voidage_centre_of_mass", system, point.superficial_velocity, variant));
+    if (voidage == context.measurements.end()) continue;
+    const double share = solids ? 1.0 - voidage->second.value : voidage->second.value;
+    table.rows.push_back(
+        {point.superficial_velocity, share, voidage->second.half_width, point.value, point.half_width});
+  }
+  return table;
+}
+
+std::string plot_against_bed(DataTable table, const std::string& title, int line_style, const FigureContext& context,
+                             FigureOutput& output) {
+  if (table.rows.empty()) return "";
+  table.name = output.id + "_" + table.name;
+  output.data.push_back(write_csv(table, context.out));
+  return fmt::format(", {}{}'{}.csv' skip 1 using 2:4 with points linestyle {} {}",
+                     error_bars(table, {2, 4, 5}, "yerrorbars", line_style),
+                     error_bars(table, {2, 4, 3}, "xerrorbars", line_style), table.name, line_style,
+                     title.empty() ? std::string("notitle") : "title " + gnuplot_text(title));
+}
+
+std::string plot_variants_against_bed(std::string_view quantity, const std::string& heading, std::string_view system,
+                                      BedAbscissa abscissa, const FigureContext& context, FigureOutput& output) {
+  std::string elements;
+  const auto variants = variants_of(context.profile, system);
+  for (std::size_t place = 0; place < variants.size(); ++place)
+    elements +=
+        plot_against_bed(against_bed(context, quantity, heading, system, variants[place], abscissa),
+                         series_title(context, system, variants[place]), slfb::line_style(place), context, output);
+  return elements;
+}
+
 std::vector<std::string> run_notes(const FigureContext& context, const std::vector<std::string>& keys) {
   std::vector<std::string> notes;
   const auto present = present_runs(context, keys);
@@ -141,7 +181,9 @@ std::vector<std::string> run_notes(const FigureContext& context, const std::vect
 
 void draw_figure_of_runs(const std::string& id, const std::string& commands, Canvas canvas,
                          const FigureContext& context, const std::vector<std::string>& keys) {
-  std::string text = "Not yet simulated with this profile.";
+  std::string text =
+      fmt::format("Not yet simulated. \"build/slfb figures {} --profile {}\" simulates it and draws it again.", id,
+                  keys.empty() ? "full" : context.profile.name);
   if (!present_runs(context, keys).empty()) {
     text = fmt::format("Profile {}. {}", context.profile.name, join(context.profile.differences, " "));
   }

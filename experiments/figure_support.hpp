@@ -49,11 +49,28 @@ int line_style(std::size_t place);
 std::string error_bars(const DataTable& table, const std::vector<int>& using_columns, const std::string& style,
                        int line_style);
 
+/// What stands on the abscissa of a plot against the state of the bed.
+enum class BedAbscissa { voidage, solid_fraction };
+
+/// One quantity over the runs of a system against the mean state of its bed, by rising velocity. Columns: superficial
+/// velocity, abscissa, half width of its 95 % interval, the quantity (`heading`), half width of its interval.
+DataTable against_bed(const FigureContext& context, std::string_view quantity, const std::string& heading,
+                      std::string_view system, std::string_view variant, BedAbscissa abscissa);
+
+/// Writes a table of against_bed and returns its plot elements, points with the bars of both intervals, begun by ", ";
+/// empty without rows. `title` may be empty.
+std::string plot_against_bed(DataTable table, const std::string& title, int line_style, const FigureContext& context,
+                             FigureOutput& output);
+
+/// The same for the default and every variant of one system; each file is named ID_QUANTITY_SYSTEM[_VARIANT].
+std::string plot_variants_against_bed(std::string_view quantity, const std::string& heading, std::string_view system,
+                                      BedAbscissa abscissa, const FigureContext& context, FigureOutput& output);
+
 /// What a reader must know of the runs behind a figure: differences of the profile from the paper, missing runs, runs
 /// read from the committed results, runs of an older numerics version.
 std::vector<std::string> run_notes(const FigureContext& context, const std::vector<std::string>& keys);
 
-/// Draws ID with the differences of the profile printed below it, or "not yet simulated" when no run of `keys` exists.
+/// Draws ID with the differences of the profile printed below it, or how to simulate it when no run of `keys` exists.
 /// `commands` may use the gnuplot variables `height` (of the picture, in pixels) and `base` (the part of it that this
 /// text takes); a figure of several plots begins with `set multiplot` and calls `eval footer_drawn` after its first
 /// plot, so that the text is drawn once.

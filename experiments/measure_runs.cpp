@@ -126,6 +126,7 @@ class RunGroup {
     const auto as_recorded = [](const FinishedRun&, double value) { return value; };
     add_series("pressure_drop", "Pa", &BedSeries::pressure_drop, as_recorded);
     add_series("fluctuating_energy", "m²/s²", &BedSeries::fluctuating_energy, as_recorded);
+    add_series("local_fluctuating_energy", "m²/s²", &BedSeries::local_fluctuating_energy, as_recorded);
     add_series("contacts_per_particle", "-", &BedSeries::contacts_per_particle, as_recorded);
     add_series("maximum_overlap_mean", "-", &BedSeries::maximum_overlap, as_recorded);
     add_series("bed_top", "m", &BedSeries::bed_top, as_recorded);

@@ -44,3 +44,13 @@ pale_2 = '#8fbfe0'
 pale_3 = '#edb48a'
 pale_4 = '#8fd0b8'
 pale_5 = '#d6a5cf'
+
+# The eight systems of foreign sphere and bed: water filled, sodium iodide open; one colour per pair of sizes.
+set style line 31 linecolor rgb '#d55e00' linewidth 1.6 pointtype 5 pointsize 0.65
+set style line 32 linecolor rgb '#009e73' linewidth 1.6 pointtype 9 pointsize 0.8
+set style line 33 linecolor rgb '#0072b2' linewidth 1.6 pointtype 7 pointsize 0.7
+set style line 34 linecolor rgb '#aa4499' linewidth 1.6 pointtype 13 pointsize 0.8
+set style line 35 linecolor rgb '#8a6d00' linewidth 1.6 pointtype 11 pointsize 0.8
+set style line 36 linecolor rgb '#5b6470' linewidth 1.6 pointtype 15 pointsize 0.7
+set style line 37 linecolor rgb '#d55e00' linewidth 1.6 pointtype 4 pointsize 0.65
+set style line 38 linecolor rgb '#0072b2' linewidth 1.6 pointtype 6 pointsize 0.7

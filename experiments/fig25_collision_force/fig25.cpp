@@ -8,7 +8,6 @@
 #include "correlations/collision/collision_force/peng_2014.hpp"
 #include "correlations/collision/collision_force/van_der_wielen_1996.hpp"
 #include "experiments/figure_support.hpp"
-#include "experiments/measure.hpp"
 #include "experiments/paper_conditions.hpp"
 #include "experiments/reference_data.hpp"
 
@@ -61,29 +60,8 @@ FigureOutput draw(const FigureContext& context) {
   }
   output.data.push_back(write_csv(wielen, context.out));
 
-  std::string simulated;
-  const auto variants = variants_of(context.profile, system_name);
-  for (std::size_t place = 0; place < variants.size(); ++place) {
-    DataTable table{"fig25_simulated_" + (variants[place].empty() ? std::string("default") : variants[place]),
-                    {"superficial velocity [m/s]", "voidage [-]", "half width of its 95 % interval [-]",
-                     "force over weight [-]", "half width of its 95 % interval [-]"},
-                    {}};
-    for (const auto& point :
-         measured_points(context.measurements, "collision_force_ratio", system_name, variants[place])) {
-      const auto voidage = context.measurements.find(
-          measure_key("voidage_centre_of_mass", system_name, point.superficial_velocity, variants[place]));
-      if (voidage == context.measurements.end()) continue;
-      table.rows.push_back({point.superficial_velocity, voidage->second.value, voidage->second.half_width, point.value,
-                            point.half_width});
-    }
-    if (table.rows.empty()) continue;
-    output.data.push_back(write_csv(table, context.out));
-    const int style = line_style(place);
-    simulated += fmt::format(", {}{}'{}.csv' skip 1 using 2:4 with points linestyle {} title {}",
-                             error_bars(table, {2, 4, 5}, "yerrorbars", style),
-                             error_bars(table, {2, 4, 3}, "xerrorbars", style), table.name, style,
-                             gnuplot_text(series_title(context, system_name, variants[place])));
-  }
+  const std::string simulated = plot_variants_against_bed("collision_force_ratio", "force over weight [-]", system_name,
+                                                          BedAbscissa::voidage, context, output);
   const std::string script =
       "set key tmargin left vertical maxrows 9 Left reverse font ',12'\nset xrange [0.4:1]\nset yrange [0:1.25]\nset "
       "ytics 0.25\n"
