@@ -17,6 +17,7 @@ struct RunSpec {
   std::string variant;          ///< "" for the default drag law of the profile, else what differs ("di-felice-1994")
   std::filesystem::path scene;  ///< relative to experiments/scenes
   Overrides overrides;
+  std::string profile = {};  ///< that it belongs to: "quick"
 };
 
 /// The runs of a profile ("quick", "full") and what sets it apart from the paper, from experiments/profiles.toml.
@@ -26,6 +27,10 @@ struct Profile {
   std::vector<RunSpec> runs;
 };
 Profile load_profile(const std::string& name);
+
+/// The profile and the runs of the full one that it lacks: what figures and claims use where results exist. Only the
+/// profile's own runs are simulated with it.
+Profile with_full_runs(Profile profile);
 
 /// A finished run with the specification it answers.
 struct FinishedRun {

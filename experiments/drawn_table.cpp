@@ -9,6 +9,8 @@ namespace {
 
 constexpr int head_height = 52, row_height = 24, foot_height = 10;
 
+std::string quoted(const std::string& markup) { return fmt::format("'{}'", markup); }
+
 }  // namespace
 
 int table_height(std::size_t rows) { return head_height + row_height * static_cast<int>(rows) + foot_height; }
@@ -23,15 +25,14 @@ std::string table_commands(const std::vector<TableColumn>& columns, const std::v
       "1\n",
       width, height, head_height - 4, width - 8);
   int tag = 0;
-  const auto label = [&](const std::string& text, const TableColumn& column, int y, const char* font) {
-    commands +=
-        fmt::format("set label {} {} at {}, {} {} font ',{}' textcolor rgb {} front\n", ++tag, gnuplot_text(text),
-                    column.position, y, column.left ? "left" : "right", font, column.colour);
+  const auto label = [&](const std::string& text, const TableColumn& column, int y) {
+    commands += fmt::format("set label {} {} at {}, {} {} font ',12' textcolor rgb {} front\n", ++tag, text,
+                            column.position, y, column.left ? "left" : "right", column.colour);
   };
   for (const TableColumn& column : columns) {
     const auto line_break = column.heading.find('\n');
-    label(column.heading.substr(0, line_break), column, 14, "12");
-    if (line_break != std::string::npos) label(column.heading.substr(line_break + 1), column, 33, "12");
+    label(quoted(column.heading.substr(0, line_break)), column, 14);
+    if (line_break != std::string::npos) label(quoted(column.heading.substr(line_break + 1)), column, 33);
   }
   for (std::size_t row = 0; row < rows.size(); ++row) {
     const int top = head_height + row_height * static_cast<int>(row);
@@ -41,7 +42,7 @@ std::string table_commands(const std::vector<TableColumn>& columns, const std::v
           "noborder behind\n",
           row, top, width - 8, top + row_height);
     for (std::size_t column = 0; column < columns.size(); ++column)
-      label(rows[row][column], columns[column], top + row_height / 2, "12");
+      label(gnuplot_text(rows[row][column]), columns[column], top + row_height / 2);
   }
   return commands + "plot NaN\n";
 }

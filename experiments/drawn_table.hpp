@@ -7,7 +7,7 @@
 namespace slfb {
 
 struct TableColumn {
-  std::string heading;  ///< of one or two lines
+  std::string heading;  ///< of one or two lines, with gnuplot's markup: "V_2"
   int position;         ///< of its left or right edge in the picture [pixel]
   bool left = false;    ///< aligned left; numbers are aligned right
   std::string colour = "'#14181d'";
@@ -16,7 +16,8 @@ struct TableColumn {
 /// Height of the picture of a table [pixel].
 int table_height(std::size_t rows);
 
-/// gnuplot commands for a table that fills a picture of `width` pixels and table_height(); texts are shown as written.
+/// gnuplot commands for a table that fills a picture of `width` pixels and table_height(); the rows are shown as
+/// written.
 std::string table_commands(const std::vector<TableColumn>& columns, const std::vector<std::vector<std::string>>& rows,
                            int width);
 

@@ -32,6 +32,7 @@ struct Figure {
   std::string title;
   std::vector<std::string> (*needs)(const Profile&);  ///< "system/U_L[/variant]" of the runs it draws
   FigureOutput (*draw)(const FigureContext&);
+  std::string folder = "";  ///< in experiments/, with its code and README.md
 };
 
 /// All figures in the order of the paper; adding one is one line in figures.cpp.

@@ -44,6 +44,22 @@ std::vector<const FinishedRun*> present_runs(const FigureContext& context, const
   return present;
 }
 
+/// Sentences that set the runs apart from the paper's, profile by profile; what a profile shares with one before it is
+/// not said twice.
+std::vector<std::string> differences_of(const FigureContext& context, const std::vector<const FinishedRun*>& present) {
+  std::vector<std::string> profiles, sentences;
+  for (const FinishedRun* run : present) {
+    const std::string& name = run->spec.profile.empty() ? context.profile.name : run->spec.profile;
+    if (std::find(profiles.begin(), profiles.end(), name) != profiles.end()) continue;
+    profiles.push_back(name);
+    sentences.push_back(fmt::format("Profile {}.", name));
+    for (const auto& sentence :
+         name == context.profile.name ? context.profile.differences : load_profile(name).differences)
+      if (std::find(sentences.begin(), sentences.end(), sentence) == sentences.end()) sentences.push_back(sentence);
+  }
+  return sentences;
+}
+
 }  // namespace
 
 std::vector<std::string> select_run_keys(const Profile& profile, const std::function<bool(const RunSpec&)>& wanted) {
@@ -122,9 +138,10 @@ std::string error_bars(const DataTable& table, const std::vector<int>& using_col
 DataTable against_bed(const FigureContext& context, std::string_view quantity, const std::string& heading,
                       std::string_view system, std::string_view variant, BedAbscissa abscissa) {
   const bool solids = abscissa == BedAbscissa::solid_fraction;
+  const std::string unit = heading.substr(std::min(heading.find('['), heading.size()));
   DataTable table{fmt::format("{}_{}{}{}", quantity, system, variant.empty() ? "" : "_", variant),
                   {"superficial velocity [m/s]", solids ? "solid fraction [-]" : "voidage [-]",
-                   "half width of its 95 % interval", heading, "half width of its 95 % interval"},
+                   "half width of its 95 % interval [-]", heading, "half width of its 95 % interval " + unit},
                   {}};
   for (const auto& point : measured_points(context.measurements, quantity, system, variant)) {
     const auto voidage =
@@ -162,8 +179,7 @@ std::string plot_variants_against_bed(std::string_view quantity, const std::stri
 std::vector<std::string> run_notes(const FigureContext& context, const std::vector<std::string>& keys) {
   std::vector<std::string> notes;
   const auto present = present_runs(context, keys);
-  if (!present.empty())
-    for (const auto& difference : context.profile.differences) notes.push_back(difference);
+  for (auto& sentence : differences_of(context, present)) notes.push_back(std::move(sentence));
   std::vector<std::string> missing, published, stale;
   for (const auto& key : keys)
     if (find_run(context, key) == nullptr) missing.push_back(key);
@@ -171,8 +187,7 @@ std::vector<std::string> run_notes(const FigureContext& context, const std::vect
     if (run->published) published.push_back(run_key(run->spec));
     if (run->stale) stale.push_back(run_key(run->spec));
   }
-  if (keys.empty())
-    notes.push_back(fmt::format("The profile \"{}\" has no simulation for this figure.", context.profile.name));
+  if (keys.empty()) notes.push_back("Neither this profile nor the full one has a simulation for this figure.");
   if (!missing.empty()) notes.push_back(fmt::format("Not yet simulated: {}.", join(missing, ", ")));
   if (!published.empty()) notes.push_back(fmt::format("Read from the committed results: {}.", join(published, ", ")));
   if (!stale.empty()) notes.push_back(fmt::format("Made by an older version of the numerics: {}.", join(stale, ", ")));
@@ -182,11 +197,9 @@ std::vector<std::string> run_notes(const FigureContext& context, const std::vect
 void draw_figure_of_runs(const std::string& id, const std::string& commands, Canvas canvas,
                          const FigureContext& context, const std::vector<std::string>& keys) {
   std::string text =
-      fmt::format("Not yet simulated. \"build/slfb figures {} --profile {}\" simulates it and draws it again.", id,
-                  keys.empty() ? "full" : context.profile.name);
-  if (!present_runs(context, keys).empty()) {
-    text = fmt::format("Profile {}. {}", context.profile.name, join(context.profile.differences, " "));
-  }
+      fmt::format("Not yet simulated. \"build/slfb figures {} --profile full\" simulates it and draws it again.", id);
+  if (const auto present = present_runs(context, keys); !present.empty())
+    text = join(differences_of(context, present), " ");
   const int characters = std::max(40, canvas.width / 5);
   const auto lines = wrap(text, static_cast<std::size_t>(characters));
   const int line_height = 13;

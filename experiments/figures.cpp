@@ -3,13 +3,16 @@
 #include "experiments/fig02_mesh/fig02.hpp"
 #include "experiments/fig03_rigs/rigs.hpp"
 #include "experiments/fig05_pressure_drop/fig05.hpp"
+#include "experiments/fig06_snapshots/fig06.hpp"
 #include "experiments/fig07_heights/fig07.hpp"
 #include "experiments/fig08_history/fig08.hpp"
 #include "experiments/fig09_trajectories/fig09.hpp"
 #include "experiments/fig10_classification_velocity/fig10.hpp"
 #include "experiments/fig11_velocity_parity/fig11.hpp"
+#include "experiments/fig12_liquid_fluctuation/fig12.hpp"
 #include "experiments/fig13_void_fraction/fig13.hpp"
 #include "experiments/fig14_vorticity/fig14.hpp"
+#include "experiments/fig15_paths/fig15.hpp"
 #include "experiments/fig16_contacts/fig16.hpp"
 #include "experiments/fig17_collisions/fig17.hpp"
 #include "experiments/fig18_fluctuating_energy/fig18.hpp"
@@ -38,13 +41,16 @@ const std::vector<Figure>& figures() {
                                         fig03(),
                                         fig04(),
                                         fig05(),
+                                        fig06(),
                                         fig07(),
                                         fig08(),
                                         fig09(),
                                         fig10(),
                                         fig11(),
+                                        fig12(),
                                         fig13(),
                                         fig14(),
+                                        fig15(),
                                         fig16(),
                                         fig17(),
                                         fig18(),

@@ -17,7 +17,7 @@ std::string measure_key(std::string_view quantity, std::string_view system, doub
 /// "system/U_L" or "system/U_L/variant": the tail of measure_key that names the run.
 std::string run_key(const RunSpec& spec);
 
-/// True when `key` is answered by simulations (its second part names a system such as 6in5W), false for laws.
+/// True when `key` is answered by simulations (its second part names a system such as 6in5W, or all), false for laws.
 bool needs_run(std::string_view key);
 
 /// Everything measured in finished runs.
@@ -34,7 +34,10 @@ bool needs_run(std::string_view key);
 /// plane_vorticity_range, plane_speed_maximum, particles_removed, wall_seconds_per_simulated_second.
 ///
 /// Quantities per system, "quantity/system", from all its runs without variant: packed_line_slope,
-/// packed_line_intercept, pressure_plateau, minimum_fluidisation_velocity, classification_velocity_rise_ratio.
+/// packed_line_intercept, pressure_plateau, minimum_fluidisation_velocity, classification_velocity_rise_ratio. Where
+/// the paper gives a voidage instead of U_L: "quantity_at_voidage/system/0.45" for collision_frequency, drag_ratio,
+/// lateral_travel, liquid_fluctuation, maximum_contacts, mean_contacts and pressure_gradient_ratio, on straight lines
+/// between the runs. Of all systems together: equation_40_share_within_10_percent/all.
 Measurements measure_runs(const std::vector<FinishedRun>& runs);
 
 /// Everything that follows from the literature laws and the reference data alone ("quantity/what").

@@ -1,9 +1,11 @@
 #include <fmt/format.h>
 #include <toml++/toml.h>
 
+#include <algorithm>
 #include <stdexcept>
 
 #include "experiments/campaign.hpp"
+#include "experiments/measure.hpp"
 
 namespace slfb {
 namespace {
@@ -98,7 +100,7 @@ Profile load_profile(const std::string& name) {
     if (run.contains("overrides")) append(overrides, definitions.values<std::string>(run, "overrides"));
     const auto variant = run["variant"].value_or<std::string>("");
     for (const double velocity : definitions.values<double>(run, "superficial_velocities")) {
-      RunSpec spec{system, velocity, variant, scene, overrides};
+      RunSpec spec{system, velocity, variant, scene, overrides, name};
       spec.overrides.push_back(fmt::format("liquid.superficial_velocity={} m/s", velocity));
       if (!variant.empty()) {
         append(spec.overrides, definitions.values<std::string>(definitions.entry("variants", variant), "overrides"));
@@ -106,6 +108,14 @@ Profile load_profile(const std::string& name) {
       profile.runs.push_back(std::move(spec));
     }
   }
+  return profile;
+}
+
+Profile with_full_runs(Profile profile) {
+  const auto own = profile.runs;
+  for (RunSpec& run : load_profile("full").runs)
+    if (std::none_of(own.begin(), own.end(), [&](const RunSpec& spec) { return run_key(spec) == run_key(run); }))
+      profile.runs.push_back(std::move(run));
   return profile;
 }
 

@@ -14,6 +14,8 @@
 #include <stdexcept>
 
 #include "experiments/measure.hpp"
+#include "reports/claim_table.hpp"
+#include "reports/figure_pages.hpp"
 #include "reports/html.hpp"
 #include "reports/law_pages.hpp"
 #include "reports/law_section.hpp"
@@ -29,77 +31,6 @@ std::string read_file(const fs::path& file) {
   std::ostringstream text;
   text << stream.rdbuf();
   return text.str();
-}
-
-/// A verdict as a class of the style sheet.
-std::string verdict_class(Verdict verdict) {
-  std::string name(to_string(verdict));
-  std::replace(name.begin(), name.end(), ' ', '-');
-  return name;
-}
-
-/// One character per verdict, so that colour is never the only sign.
-const char* verdict_sign(Verdict verdict) {
-  switch (verdict) {
-    case Verdict::reproduced:
-      return "✓";
-    case Verdict::not_reproduced:
-      return "✗";
-    case Verdict::not_decidable:
-      return "?";
-  }
-  return "?";
-}
-
-/// "fig05" → "Figure 5", "table2" → "Table 2", "text" → "Text".
-std::string place_in_paper(const std::string& name) {
-  const auto digits = name.find_first_of("0123456789");
-  const std::string word = name.substr(0, digits);
-  if (digits == std::string::npos) {
-    std::string capital = name;
-    if (!capital.empty()) capital[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(capital[0])));
-    return escape_html(capital);
-  }
-  const std::string number = std::to_string(std::stoi(name.substr(digits)));
-  if (word == "fig") return "Figure " + number;
-  if (word == "table") return "Table " + number;
-  return escape_html(name);
-}
-
-std::string with_unit(const std::string& text, const std::string& unit) {
-  return unit == "-" || unit.empty() ? text : text + " " + escape_html(unit);
-}
-
-std::string percentage(double fraction) {
-  if (std::fabs(fraction) < 5e-4) return "0.0 %";
-  return fmt::format("{}{:.1f} %", fraction < 0.0 ? "−" : "+", std::fabs(100.0 * fraction));
-}
-
-std::string band_text(const Band& band) {
-  if (std::isinf(band.lower)) return "≤ " + readable_number(band.upper);
-  if (std::isinf(band.upper)) return "≥ " + readable_number(band.lower);
-  return readable_number(band.lower) + " … " + readable_number(band.upper);
-}
-
-std::string plural(std::size_t count, const std::string& noun) {
-  return fmt::format("{} {}{}", count, noun, count == 1 ? "" : "s");
-}
-
-/// Evaluations by the place in the paper: figures, tables, then the text.
-std::vector<std::pair<std::string, std::vector<const Evaluation*>>> by_place(
-    const std::vector<Evaluation>& evaluations) {
-  std::vector<std::pair<std::string, std::vector<const Evaluation*>>> groups;
-  for (const auto& evaluation : evaluations) {
-    const auto known = std::find_if(groups.begin(), groups.end(),
-                                    [&](const auto& group) { return group.first == evaluation.claim.figure; });
-    if (known == groups.end()) {
-      groups.push_back({evaluation.claim.figure, {&evaluation}});
-    } else {
-      known->second.push_back(&evaluation);
-    }
-  }
-  std::stable_sort(groups.begin(), groups.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
-  return groups;
 }
 
 std::string overview(const ReportContents& contents) {
@@ -144,8 +75,12 @@ std::string overview(const ReportContents& contents) {
           ? "1 claim is"
           : fmt::format("{} claims are", counts.gates_holding + counts.gates_broken),
       counts.gates_holding, counts.gates_broken == 1 ? "1 is" : fmt::format("{} are", counts.gates_broken));
-  for (const auto& [place, group] : by_place(contents.evaluations)) {
-    html += fmt::format("<div><span class=\"soft\">{}</span><span class=\"cells\">", place_in_paper(place));
+  for (const auto& [place, group] : claims_by_place(contents.evaluations)) {
+    const bool has_page = std::any_of(contents.figures.begin(), contents.figures.end(),
+                                      [&name = place](const FigureOutput& figure) { return figure.id == name; });
+    const std::string label = place_in_paper(place);
+    html += fmt::format("<div><span class=\"soft\">{}</span><span class=\"cells\">",
+                        has_page ? fmt::format("<a href=\"figures/{}.html\">{}</a>", place, label) : label);
     for (const Evaluation* evaluation : group) {
       html += fmt::format("<a class=\"{0}-cell\" href=\"#{1}\" title=\"{1}: {2} ({3})\">{4}</a>",
                           verdict_class(evaluation->verdict), escape_html(evaluation->claim.id),
@@ -163,106 +98,9 @@ std::string list(const std::vector<std::string>& items) {
   return html + "</ul>";
 }
 
-/// Attributes width and height of a picture, so that the page does not move while it loads. gnuplot writes its size as
-/// viewBox="0 0 WIDTH HEIGHT".
-std::string image_size(const fs::path& svg) {
-  std::smatch match;
-  const std::string head = read_file(svg).substr(0, 1000);
-  static const std::regex view_box("viewBox=\"0 0 ([0-9]+) ([0-9]+)\"");
-  if (!std::regex_search(head, match, view_box)) return "";
-  return fmt::format(" width=\"{}\" height=\"{}\"", match.str(1), match.str(2));
-}
-
-std::string figure_section(const ReportContents& contents, const fs::path& figures_folder) {
-  std::map<std::string, std::string> titles;
-  for (const auto& figure : figures()) titles[figure.id] = figure.title;
-  const auto groups = by_place(contents.evaluations);
-  std::string html =
-      "<section id=\"figures\">\n<h2>Figures</h2>\n<p>The paper is drawn in black with open symbols or dashed lines, "
-      "our "
-      "simulations in colour with 95 % intervals, laws as thin lines. A symbol stands only where a number exists: the "
-      "points of the paper's plots were never published as numbers, so only printed values appear.</p>\n";
-  for (const auto& figure : contents.figures) {
-    std::string files;
-    for (const char* format : {"svg", "png", "pdf", "gp"})
-      files += fmt::format("<a href=\"figures/{0}.{1}\">{1}</a>", figure.id, format);
-    std::string tables;
-    for (const auto& data : figure.data) {
-      const std::string name = escape_html(data.filename().string());
-      tables += fmt::format("<a href=\"figures/{0}\">{0}</a>", name);
-    }
-    std::string claims;
-    for (const auto& [place, group] : groups) {
-      if (place != figure.id) continue;
-      std::map<Verdict, std::size_t> counted;
-      for (const Evaluation* evaluation : group) ++counted[evaluation->verdict];
-      for (const auto& [verdict, number] : counted)
-        claims += fmt::format("<a class=\"badge {}\" href=\"#claims\" data-claims-of=\"{}\">{} {}</a> ",
-                              verdict_class(verdict), place, number, to_string(verdict));
-    }
-    const std::string notes =
-        figure.notes.empty()
-            ? ""
-            : fmt::format("<details><summary>What to know of the simulations behind it</summary>{}</details>",
-                          list(figure.notes));
-    html += fmt::format(
-        "<article class=\"card figure\" id=\"{0}\">\n<div class=\"picture\"><a href=\"figures/{0}.svg\"><img "
-        "src=\"figures/{0}.svg\" alt=\"{1}\"{11} loading=\"lazy\" /></a></div>\n<div class=\"words\"><span "
-        "class=\"label\">{2}</span><h3>{10}</h3>\n<p>{3}</p>\n{4}\n{5}\n<div class=\"files\">{6}</div>\n"
-        "<details><summary>{8}</summary><div class=\"files\">{9}</div></details>\n"
-        "<p class=\"soft\">Simulate what is missing and draw it again:</p><code class=\"command\">build/slfb figures "
-        "{0} "
-        "--profile {7}</code></div>\n</article>\n",
-        escape_html(figure.id), escape_html(titles[figure.id]), place_in_paper(figure.id), prose_html(figure.caption),
-        claims.empty() ? "" : "<p>" + claims + "</p>", notes, files, escape_html(contents.profile.name),
-        plural(figure.data.size(), "table") + " of data (CSV)", tables, prose_html(titles[figure.id]),
-        image_size(figures_folder / (figure.id + ".svg")));
-  }
-  return html + "</section>\n";
-}
-
-/// What the paper says, with its unit where it is a number.
-std::string paper_side(const Claim& claim) {
-  const std::string text = prose_html(claim.paper_text());
-  const bool in_words = claim.kind == StatementKind::increasing || claim.kind == StatementKind::decreasing ||
-                        claim.kind == StatementKind::words;
-  return in_words ? text : with_unit(text, claim.unit);
-}
-
-std::string claim_row(const Evaluation& evaluation) {
-  const Claim& claim = evaluation.claim;
-  std::string ours, interval, deviation;
-  if (evaluation.ours) ours = with_unit(readable_number(*evaluation.ours), claim.unit);
-  if (evaluation.interval && evaluation.interval->second > evaluation.interval->first)
-    interval = fmt::format("<span class=\"id number\">{} … {}</span>", readable_number(evaluation.interval->first),
-                           readable_number(evaluation.interval->second));
-  if (evaluation.deviation) deviation = percentage(*evaluation.deviation);
-  std::string band;
-  if (claim.paper_band)
-    band = fmt::format("<span class=\"id\">band <span class=\"number\">{}</span></span>", band_text(*claim.paper_band));
-  const std::string gate =
-      evaluation.gate == Gate::broken ? " <span class=\"badge not-reproduced\">gate broken</span>" : "";
-  return fmt::format(
-      "<tr id=\"{0}\" data-verdict=\"{1}\" data-figure=\"{2}\"><td class=\"lead\">{3}<span class=\"id\">{0} · "
-      "{4}</span>"
-      "</td><td data-label=\"Verdict\"><div><span class=\"badge {1}\">{5} {6}</span>{7}</div></td><td "
-      "data-label=\"Paper\">"
-      "<div>{8}{9}</div></td>{10}{11}<td class=\"reason\" data-label=\"Reason\">{12}</td>"
-      "</tr>\n",
-      escape_html(claim.id), verdict_class(evaluation.verdict), escape_html(claim.figure), prose_html(claim.quantity),
-      escape_html(claim.source), verdict_sign(evaluation.verdict), to_string(evaluation.verdict), gate,
-      paper_side(claim), band,
-      ours.empty()
-          ? "<td data-label=\"Ours\"></td>"
-          : fmt::format("<td data-label=\"Ours\"><div><span class=\"number\">{}</span>{}</div></td>", ours, interval),
-      deviation.empty() ? "<td data-label=\"Deviation\"></td>"
-                        : fmt::format("<td data-label=\"Deviation\"><span class=\"number\">{}</span></td>", deviation),
-      prose_html(evaluation.reason));
-}
-
 std::string claim_section(const ReportContents& contents) {
   std::string options = "<option value=\"\">all of the paper</option>";
-  for (const auto& [place, group] : by_place(contents.evaluations))
+  for (const auto& [place, group] : claims_by_place(contents.evaluations))
     options += fmt::format("<option value=\"{}\">{}</option>", escape_html(place), place_in_paper(place));
   std::string html = fmt::format(
       "<section id=\"claims\">\n<h2>Claims</h2>\n<p>A claim is one statement of the paper that a number can decide. It "
@@ -276,14 +114,12 @@ std::string claim_section(const ReportContents& contents) {
       "reproduced</button>"
       "<button value=\"not-decidable\">not decidable</button><select aria-label=\"place in the "
       "paper\">{}</select></div>\n"
-      "<p class=\"soft\" id=\"claims-shown\">{}</p>\n"
-      "<div class=\"card scroll\"><table class=\"stack "
-      "claims\">\n<thead><tr><th>Claim</th><th>Verdict</th><th>Paper</th>"
-      "<th>Ours</th><th>Deviation</th><th>Reason</th></tr></thead>\n<tbody id=\"claim-rows\">\n",
+      "<p class=\"soft\" id=\"claims-shown\">{}</p>\n",
       options, plural(contents.evaluations.size(), "claim"));
-  for (const auto& [place, group] : by_place(contents.evaluations))
-    for (const Evaluation* evaluation : group) html += claim_row(*evaluation);
-  return html + "</tbody></table></div>\n</section>\n";
+  std::vector<const Evaluation*> claims;
+  for (const auto& [place, group] : claims_by_place(contents.evaluations))
+    claims.insert(claims.end(), group.begin(), group.end());
+  return html + claim_table(claims, "claim-rows") + "</section>\n";
 }
 
 std::string inconsistency_section(const ReportContents& contents) {
@@ -358,6 +194,7 @@ void write_report(const ReportContents& contents, const fs::path& figures_folder
   fs::create_directories(folder / "figures");
   for (const auto& figure : contents.figures) copy_figure(figure, figures_folder, folder / "figures");
 
+  write_figure_pages(contents, folder / "figures");
   write_law_pages(folder);
 
   const fs::path source = fs::path(SLFB_SOURCE_DIR) / "reports";
@@ -368,7 +205,7 @@ void write_report(const ReportContents& contents, const fs::path& figures_folder
       "report</title>\n<style>\n{}</style>\n</head>\n<body>\n",
       read_file(source / "report.css"));
   html += overview(contents);
-  html += figure_section(contents, figures_folder);
+  html += figure_gallery(contents, figures_folder);
   html += claim_section(contents);
   html += inconsistency_section(contents);
   html += law_section();

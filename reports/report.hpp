@@ -12,7 +12,8 @@ namespace slfb {
 
 /// What the report shows, beside the catalogue of laws.
 struct ReportContents {
-  const Profile& profile;
+  const Profile& profile;  ///< asked for
+  const Profile& shown;    ///< the same with what it lacks of the full one (with_full_runs)
   const std::vector<FinishedRun>& runs;
   const std::vector<FigureOutput>& figures;  ///< what drawing slfb::figures() left
   const std::vector<Evaluation>& evaluations;

@@ -21,9 +21,6 @@ document.documentElement.classList.remove('no-script');
     button.addEventListener('click', () => { verdict = button.value; apply(); });
   }
   select.addEventListener('change', apply);
-  for (const link of document.querySelectorAll('[data-claims-of]')) {
-    link.addEventListener('click', () => { verdict = ''; select.value = link.dataset.claimsOf; apply(); });
-  }
   // A link to one claim must find its row, whatever is filtered.
   window.addEventListener('hashchange', () => {
     const row = document.getElementById(decodeURIComponent(location.hash.slice(1)));

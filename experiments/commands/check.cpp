@@ -132,7 +132,7 @@ void write_file(const std::filesystem::path& file, const std::string& text) {
 int check(const Options& options, bool json) {
   const std::vector<Claim> claims = choose(load_claims(), options.ids);
   Measurements measurements = measure_laws();
-  measurements.merge(measure_runs(finished_runs(load_profile(options.profile), options.out)));
+  measurements.merge(measure_runs(finished_runs(with_full_runs(load_profile(options.profile)), options.out)));
   const auto evaluations = evaluate(claims, measurements);
 
   const bool json_to_stdout = json && options.json == "-";

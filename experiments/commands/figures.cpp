@@ -99,7 +99,8 @@ int make_figures(const Options& options) {
 
   if (options.publish) publish(profile, options.out);
 
-  const auto runs = finished_runs(profile, options.out);
+  const Profile shown = with_full_runs(profile);
+  const auto runs = finished_runs(shown, options.out);
   Measurements measurements = measure_laws();
   measurements.merge(measure_runs(runs));
 
@@ -108,11 +109,11 @@ int make_figures(const Options& options) {
   std::filesystem::create_directories(figures_folder);
   std::vector<FigureOutput> outputs;
   for (const auto& figure : figures())
-    outputs.push_back(figure.draw({profile, runs, measurements, figures_folder, options.out}));
+    outputs.push_back(figure.draw({shown, runs, measurements, figures_folder, options.out}));
 
   const auto evaluations = evaluate(load_claims(), measurements);
   const auto report_folder = options.out / "report";
-  write_report({profile, runs, outputs, evaluations, inconsistencies()}, figures_folder, report_folder);
+  write_report({profile, shown, runs, outputs, evaluations, inconsistencies()}, figures_folder, report_folder);
 
   for (const Figure* figure : chosen)
     fmt::print("{}  {:<62}{}\n", figure->id, figure->title, (figures_folder / (figure->id + ".svg")).string());

@@ -184,6 +184,6 @@ FigureOutput draw(const FigureContext& outer) {
 
 }  // namespace
 
-Figure drag_law_question() { return {"drag-law", "The drag-law question", needs, draw}; }
+Figure drag_law_question() { return {"drag-law", "The drag-law question", needs, draw, "drag_law_question"}; }
 
 }  // namespace slfb

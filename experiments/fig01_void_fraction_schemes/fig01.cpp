@@ -222,6 +222,9 @@ FigureOutput draw(const FigureContext& context) {
 
 }  // namespace
 
-Figure fig01() { return {"fig01", "Void-fraction schemes: error and cost against exact overlap", needs, draw}; }
+Figure fig01() {
+  return {"fig01", "Void-fraction schemes: error and cost against exact overlap", needs, draw,
+          "fig01_void_fraction_schemes"};
+}
 
 }  // namespace slfb

@@ -77,7 +77,7 @@ FigureOutput draw(const FigureContext& context) {
   const Scene scene = load_scene(std::filesystem::path(SLFB_SOURCE_DIR) / "experiments" / "scenes" / "6in5W.toml", {});
   const fluid::ColumnGrid grid(scene);
   const auto& species = scene.species;
-  FigureOutput output{"fig02", {}, "", {}};
+  FigureOutput output{"fig02", {}, "", {"No simulation stands behind this picture."}};
   const double paper_cell = std::cbrt(grid.section_area() * grid.column_height() / peng_2014().value("cell_count"));
   output.caption = fmt::format(
       "Domain and mesh of our liquid, from the grid that the simulations use: {} cells in the section times {} layers, "
@@ -99,7 +99,7 @@ FigureOutput draw(const FigureContext& context) {
       "set style fill solid 0.25 noborder\n"
       "set tmargin at screen 1 - 30.0/height\nset bmargin at screen 26.0/height\nset lmargin at screen 0.01\nset "
       "rmargin at "
-      "screen 0.15\nset title 'domain' font ',13' offset 0,-0.4\nset xrange [-80:80]\nset yrange [-20:{height:.6g}]\n"
+      "screen 0.15\nset title 'domain' font ',13' offset 0,-0.4\nset xrange [-80:80]\nset yrange [-70:{height:.6g}]\n"
       "set object 1 rectangle from -{radius:g}, 0 to {radius:g}, {column:g} fillstyle empty border linecolor rgb "
       "'#2b3138' "
       "linewidth 1.2\n"
@@ -138,6 +138,6 @@ FigureOutput draw(const FigureContext& context) {
 
 }  // namespace
 
-Figure fig02() { return {"fig02", "Domain and mesh", needs, draw}; }
+Figure fig02() { return {"fig02", "Domain and mesh", needs, draw, "fig02_mesh"}; }
 
 }  // namespace slfb

@@ -47,7 +47,7 @@ std::string plot(const std::string& more) {
 }
 
 FigureOutput draw_settling_rig(const FigureContext& context) {
-  FigureOutput output{"fig03", {}, "", {}};
+  FigureOutput output{"fig03", {}, "", {"No simulation stands behind this picture."}};
   output.caption =
       "Rig of the settling experiments, drawn from the paper's description; not to scale. A pump circulates the liquid "
       "from "
@@ -104,7 +104,7 @@ set label 13 'way in of the sphere' at 196,492 font ',12'
 }
 
 FigureOutput draw_velocimetry_rig(const FigureContext& context) {
-  FigureOutput output{"fig04", {}, "", {}};
+  FigureOutput output{"fig04", {}, "", {"No simulation stands behind this picture."}};
   output.caption =
       "Particle image velocimetry in the bed, drawn from the paper's description; not to scale. A laser sheet lights "
       "fluorescent tracers in the plane through the axis, a camera beside it takes pairs of pictures of 50 × 50 mm at "
@@ -118,7 +118,7 @@ unset object 4
 set object 3 rectangle from 165,60 to 195,108 fillcolor rgb '#efe6d2' fillstyle solid border linecolor rgb '#2b3138' linewidth 1.4
 set object 4 rectangle from 160,107 to 200,112 fillcolor rgb metal fillstyle solid noborder front
 set object 31 rectangle from 20,170 to 90,205 fillcolor rgb '#3b434d' fillstyle solid noborder
-set object 32 polygon from 90,187 to 165,215 to 195,222 to 195,152 to 165,160 to 90,187 fillcolor rgb '#36b24a' fillstyle solid 0.35 noborder front
+set object 32 polygon from 90,187 to 165,215 to 195,222 to 195,152 to 165,160 to 90,187 fillcolor rgb '#36b24a' fillstyle transparent solid 0.35 noborder front
 set object 33 rectangle from 165,155 to 195,220 fillstyle empty border linecolor rgb variant linewidth 2 front
 set object 34 rectangle from 300,172 to 350,204 fillcolor rgb '#3b434d' fillstyle solid noborder
 set object 35 polygon from 300,180 to 284,172 to 284,204 to 300,196 to 300,180 fillcolor rgb metal fillstyle solid noborder
@@ -152,8 +152,8 @@ set label 10 'calming section' at 216,84 font ',12' textcolor rgb law_three
 
 }  // namespace
 
-Figure fig03() { return {"fig03", "Rig of the settling experiments", needs, draw_settling_rig}; }
+Figure fig03() { return {"fig03", "Rig of the settling experiments", needs, draw_settling_rig, "fig03_rigs"}; }
 
-Figure fig04() { return {"fig04", "Particle image velocimetry in the bed", needs, draw_velocimetry_rig}; }
+Figure fig04() { return {"fig04", "Particle image velocimetry in the bed", needs, draw_velocimetry_rig, "fig03_rigs"}; }
 
 }  // namespace slfb

@@ -139,6 +139,6 @@ FigureOutput draw(const FigureContext& context) {
 
 }  // namespace
 
-Figure fig05() { return {"fig05", "Pressure drop and minimum fluidisation", needs, draw}; }
+Figure fig05() { return {"fig05", "Pressure drop and minimum fluidisation", needs, draw, "fig05_pressure_drop"}; }
 
 }  // namespace slfb

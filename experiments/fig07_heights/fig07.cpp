@@ -91,6 +91,8 @@ FigureOutput draw(const FigureContext& context) {
 
 }  // namespace
 
-Figure fig07() { return {"fig07", "Height of the foreign particle around minimum fluidisation", needs, draw}; }
+Figure fig07() {
+  return {"fig07", "Height of the foreign particle around minimum fluidisation", needs, draw, "fig07_heights"};
+}
 
 }  // namespace slfb

@@ -179,6 +179,6 @@ FigureOutput draw(const FigureContext& context) {
 
 }  // namespace
 
-Figure fig08() { return {"fig08", "History of the steel sphere at U_L = 0.10 m/s", needs, draw}; }
+Figure fig08() { return {"fig08", "History of the steel sphere at U_L = 0.10 m/s", needs, draw, "fig08_history"}; }
 
 }  // namespace slfb

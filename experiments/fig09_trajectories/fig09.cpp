@@ -147,6 +147,8 @@ FigureOutput draw(const FigureContext& context) {
 
 }  // namespace
 
-Figure fig09() { return {"fig09", "Trajectories in the window of the velocity fit", needs, draw}; }
+Figure fig09() {
+  return {"fig09", "Trajectories in the window of the velocity fit", needs, draw, "fig09_trajectories"};
+}
 
 }  // namespace slfb

@@ -101,6 +101,9 @@ FigureOutput draw(const FigureContext& context) {
 
 }  // namespace
 
-Figure fig10() { return {"fig10", "Classification velocity against superficial velocity", needs, draw}; }
+Figure fig10() {
+  return {"fig10", "Classification velocity against superficial velocity", needs, draw,
+          "fig10_classification_velocity"};
+}
 
 }  // namespace slfb

@@ -101,6 +101,8 @@ FigureOutput draw(const FigureContext& context) {
 
 }  // namespace
 
-Figure fig11() { return {"fig11", "Classification velocity: models against simulation", needs, draw}; }
+Figure fig11() {
+  return {"fig11", "Classification velocity: models against simulation", needs, draw, "fig11_velocity_parity"};
+}
 
 }  // namespace slfb

@@ -115,6 +115,6 @@ FigureOutput draw(const FigureContext& context) {
 
 }  // namespace
 
-Figure fig13() { return {"fig13", "Void fraction in the plane y = 0", needs, draw}; }
+Figure fig13() { return {"fig13", "Void fraction in the plane y = 0", needs, draw, "fig13_void_fraction"}; }
 
 }  // namespace slfb

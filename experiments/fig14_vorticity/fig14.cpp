@@ -93,7 +93,7 @@ FigureOutput draw(const FigureContext& context) {
     } else {
       script +=
           "set label 8 'not yet simulated' at graph 0.5, 0.5 center rotate by 90 font ',12' textcolor rgb quiet\n"
-          "plot NaN with points palette\nunset label 8\n";
+          "plot NaN\nunset label 8\n";
     }
     if (place == 0) script += "eval footer_drawn\nunset label 6\nunset label 7\n";
     script += "unset colorbox\n";
@@ -117,7 +117,7 @@ FigureOutput draw(const FigureContext& context) {
     if (run == nullptr) {
       script +=
           "set label 8 'not yet simulated' at graph 0.5, 0.5 center font ',12' textcolor rgb quiet\n"
-          "plot NaN with points palette\nunset label 8\n";
+          "plot NaN\nunset label 8\n";
     } else {
       // A vector of 0.2 m/s is as long as a cell; black on yellow and white on violet would vanish, so both are drawn.
       const std::string vectors = fmt::format(
@@ -138,6 +138,8 @@ FigureOutput draw(const FigureContext& context) {
 
 }  // namespace
 
-Figure fig14() { return {"fig14", "Vorticity and velocity of the liquid in the plane y = 0", needs, draw}; }
+Figure fig14() {
+  return {"fig14", "Vorticity and velocity of the liquid in the plane y = 0", needs, draw, "fig14_vorticity"};
+}
 
 }  // namespace slfb

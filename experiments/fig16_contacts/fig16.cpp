@@ -61,6 +61,6 @@ FigureOutput draw(const FigureContext& context) {
 
 }  // namespace
 
-Figure fig16() { return {"fig16", "Contacts of the foreign particle", needs, draw}; }
+Figure fig16() { return {"fig16", "Contacts of the foreign particle", needs, draw, "fig16_contacts"}; }
 
 }  // namespace slfb

@@ -120,12 +120,14 @@ FigureOutput draw(const FigureContext& context) {
       "12.0/height\n"
       "set bmargin at screen split + 52.0/height\nset format x '%g'\nset xlabel 'time since release [s]' offset 0,0.3\n"
       "set ylabel 'velocity [m/s]' offset 0.5,0\nset key bottom right horizontal font ',12'\n";
+  double lowest = 0.0;  // velocity; the key stands below it [m/s]
+  for (const auto& row : history.rows) lowest = std::min({lowest, row[2], row[3], row[4]});
   script += run == nullptr
                 ? "set yrange [-0.5:0.5]\nplot NaN notitle\n"
-                : "stats 'fig17_history.csv' skip 1 using 5 nooutput\nset yrange [STATS_min - 0.25 : *]\n"
-                  "plot 'fig17_history.csv' skip 1 using 1:3 with lines linestyle 4 linewidth 1.4 title 'v_x', "
-                  "'' skip 1 using 1:4 with lines linestyle 3 linewidth 1.4 title 'v_y', "
-                  "'' skip 1 using 1:5 with lines linestyle 2 linewidth 1.8 title 'v_z'\n";
+                : fmt::format("set yrange [{:.3f} : *]\n", lowest - 0.25) +
+                      "plot 'fig17_history.csv' skip 1 using 1:3 with lines linestyle 4 linewidth 1.4 title 'v_x', "
+                      "'' skip 1 using 1:4 with lines linestyle 3 linewidth 1.4 title 'v_y', "
+                      "'' skip 1 using 1:5 with lines linestyle 2 linewidth 1.8 title 'v_z'\n";
   script += fmt::format(
       "set tmargin at screen split - 22.0/height\nset bmargin at screen base + 58.0/height\nset xrange [0:0.23]\n"
       "set xtics 0.05\nset yrange [0.35:1.05]\nset ytics 0.2\nset xlabel 'superficial velocity U_L of NaI solution "
@@ -146,6 +148,6 @@ FigureOutput draw(const FigureContext& context) {
 
 }  // namespace
 
-Figure fig17() { return {"fig17", "Contacts and velocity over a tenth of a second", needs, draw}; }
+Figure fig17() { return {"fig17", "Contacts and velocity over a tenth of a second", needs, draw, "fig17_collisions"}; }
 
 }  // namespace slfb

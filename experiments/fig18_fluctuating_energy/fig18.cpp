@@ -58,6 +58,8 @@ FigureOutput draw(const FigureContext& context) {
 
 }  // namespace
 
-Figure fig18() { return {"fig18", "Fluctuating kinetic energy of the fluidised particles", needs, draw}; }
+Figure fig18() {
+  return {"fig18", "Fluctuating kinetic energy of the fluidised particles", needs, draw, "fig18_fluctuating_energy"};
+}
 
 }  // namespace slfb

@@ -83,6 +83,9 @@ FigureOutput draw(const FigureContext& context) {
 
 }  // namespace
 
-Figure fig19() { return {"fig19", "Dimensionless collision frequency and the kinetic theory", needs, draw}; }
+Figure fig19() {
+  return {"fig19", "Dimensionless collision frequency and the kinetic theory", needs, draw,
+          "fig19_dimensionless_frequency"};
+}
 
 }  // namespace slfb

@@ -66,6 +66,6 @@ FigureOutput draw(const FigureContext& context) {
 
 }  // namespace
 
-Figure fig20() { return {"fig20", "Collision frequency of eight systems", needs, draw}; }
+Figure fig20() { return {"fig20", "Collision frequency of eight systems", needs, draw, "fig20_collision_frequency"}; }
 
 }  // namespace slfb

@@ -111,6 +111,6 @@ FigureOutput draw(const FigureContext& context) {
 
 }  // namespace
 
-Figure fig21() { return {"fig21", "Collision force in time", needs, draw}; }
+Figure fig21() { return {"fig21", "Collision force in time", needs, draw, "fig21_force_history"}; }
 
 }  // namespace slfb

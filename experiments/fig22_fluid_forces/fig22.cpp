@@ -84,6 +84,8 @@ FigureOutput draw(const FigureContext& context) {
 
 }  // namespace
 
-Figure fig22() { return {"fig22", "Drag and pressure-gradient force on the foreign particle", needs, draw}; }
+Figure fig22() {
+  return {"fig22", "Drag and pressure-gradient force on the foreign particle", needs, draw, "fig22_fluid_forces"};
+}
 
 }  // namespace slfb

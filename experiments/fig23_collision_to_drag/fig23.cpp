@@ -70,6 +70,6 @@ FigureOutput draw(const FigureContext& context) {
 
 }  // namespace
 
-Figure fig23() { return {"fig23", "Collision force over drag", needs, draw}; }
+Figure fig23() { return {"fig23", "Collision force over drag", needs, draw, "fig23_collision_to_drag"}; }
 
 }  // namespace slfb

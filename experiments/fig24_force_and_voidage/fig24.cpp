@@ -69,6 +69,8 @@ FigureOutput draw(const FigureContext& context) {
 
 }  // namespace
 
-Figure fig24() { return {"fig24", "Collision force against the voidage, and Eq. 40", needs, draw}; }
+Figure fig24() {
+  return {"fig24", "Collision force against the voidage, and Eq. 40", needs, draw, "fig24_force_and_voidage"};
+}
 
 }  // namespace slfb

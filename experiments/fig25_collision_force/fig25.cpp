@@ -83,6 +83,8 @@ FigureOutput draw(const FigureContext& context) {
 
 }  // namespace
 
-Figure fig25() { return {"fig25", "Collision force on the foreign particle against the voidage", needs, draw}; }
+Figure fig25() {
+  return {"fig25", "Collision force on the foreign particle against the voidage", needs, draw, "fig25_collision_force"};
+}
 
 }  // namespace slfb

@@ -85,6 +85,8 @@ FigureOutput draw(const FigureContext& context) {
 
 }  // namespace
 
-Figure fig26() { return {"fig26", "Collision force of eight systems against Eq. 40", needs, draw}; }
+Figure fig26() {
+  return {"fig26", "Collision force of eight systems against Eq. 40", needs, draw, "fig26_force_parity"};
+}
 
 }  // namespace slfb

@@ -211,7 +211,8 @@ FigureOutput draw(const FigureContext& context) {
 }  // namespace
 
 Figure frontier_integrators() {
-  return {"frontier-integrators", "Speed against accuracy: integrators of the particles' motion", needs, draw};
+  return {"frontier-integrators", "Speed against accuracy: integrators of the particles' motion", needs, draw,
+          "frontier"};
 }
 
 }  // namespace slfb

@@ -73,7 +73,8 @@ FigureOutput draw(const FigureContext& context) {
 }  // namespace
 
 Figure kinetic_theory() {
-  return {"kinetic-theory", "Collision frequency of an elastic gas against kinetic theory", needs, draw};
+  return {"kinetic-theory", "Collision frequency of an elastic gas against kinetic theory", needs, draw,
+          "kinetic_theory"};
 }
 
 }  // namespace slfb

@@ -73,7 +73,8 @@ FigureOutput draw(const FigureContext& context) {
 }  // namespace
 
 Figure pressure_noise() {
-  return {"pressure-noise", "Noise of the pressure drop: void-fraction schemes at long and short steps", needs, draw};
+  return {"pressure-noise", "Noise of the pressure drop: void-fraction schemes at long and short steps", needs, draw,
+          "pressure_noise"};
 }
 
 }  // namespace slfb

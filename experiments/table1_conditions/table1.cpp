@@ -56,7 +56,7 @@ std::string compact(double value) { return std::isnan(value) ? "–" : fmt::form
 
 FigureOutput draw(const FigureContext& context) {
   const Scene scene = load_scene(std::filesystem::path(SLFB_SOURCE_DIR) / "experiments" / "scenes" / "6in5W.toml", {});
-  FigureOutput output{"table1", {}, "", {}};
+  FigureOutput output{"table1", {}, "", {"No simulation stands behind this picture."}};
   output.caption =
       "Conditions of the simulations: as the paper's Table 1 prints them, as our working scene has them (a profile may "
       "change some; the notes of each figure say so), and what other numbers or laws of the paper need where they "
@@ -88,6 +88,6 @@ FigureOutput draw(const FigureContext& context) {
 
 }  // namespace
 
-Figure table1() { return {"table1", "Conditions of the simulations", needs, draw}; }
+Figure table1() { return {"table1", "Conditions of the simulations", needs, draw, "table1_conditions"}; }
 
 }  // namespace slfb

@@ -80,6 +80,8 @@ FigureOutput draw(const FigureContext& context) {
 
 }  // namespace
 
-Figure table2() { return {"table2", "Straight lines through the fall of the foreign particle", needs, draw}; }
+Figure table2() {
+  return {"table2", "Straight lines through the fall of the foreign particle", needs, draw, "table2_fitted_lines"};
+}
 
 }  // namespace slfb

@@ -260,6 +260,11 @@ TEST(Plane, VoidageDeviationAndVorticityOfKnownFields) {
       plane.velocity_z.push_back(-rotation * plane.x[column]);
     }
   }
+  const auto vorticity = plane_vorticity(plane);
+  ASSERT_EQ(vorticity.size(), plane.voidage.size());
+  EXPECT_NEAR(vorticity[4], 7.5, 1e-9) << "row 0.15, on the axis: see below";
+  EXPECT_NEAR(vorticity[10], -10.0, 1e-9) << "row 0.35, rotation at −5 on all sides: 2 Ω";
+  EXPECT_TRUE(std::isnan(vorticity[3])) << "no neighbour beyond the edge";
   const auto statistics = analyse_plane(plane, 0.4);
   ASSERT_TRUE(statistics);
   // Four rows of 0.5, 0.6, 0.5: variance 2/9 · 0.01.

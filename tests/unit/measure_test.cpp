@@ -106,6 +106,7 @@ TEST(MeasureKey, TellsRunsFromLaws) {
   EXPECT_TRUE(needs_run("pressure_drop/6in5W/0.06"));
   EXPECT_TRUE(needs_run("pressure_drop/6in5W/*"));
   EXPECT_TRUE(needs_run("pressure_plateau/6in5W"));
+  EXPECT_TRUE(needs_run("equation_40_share_within_10_percent/all"));
   EXPECT_FALSE(needs_run("homogeneous_voidage/wen-yu-1966/0.06"));
   EXPECT_FALSE(needs_run("terminal_velocity/steel-6mm-water"));
 }
@@ -186,6 +187,35 @@ TEST(MeasureRuns, VariantsStandApart) {
   const auto measured = measure_runs({made_up_run(0.06, "a", 0.46, 1450.0, {0.10}), variant});
   EXPECT_NEAR(measured.at("voidage_centre_of_mass/6in5W/0.06").value, 0.46, 1e-12);
   EXPECT_NEAR(measured.at("voidage_centre_of_mass/6in5W/0.06/di-felice-1994").value, 0.50, 1e-12);
+}
+
+TEST(MeasureRuns, QuantitiesAtAVoidageLieOnALineBetweenTheRuns) {
+  // Both runs have 100 collisions a second and a drag that does not depend on the voidage: so has the line.
+  const auto flat = measure_runs(
+      {made_up_run(0.06, "a", 0.44, 1450.0, {0.10, 0.11}), made_up_run(0.07, "b", 0.48, 1450.0, {0.10, 0.12})});
+  EXPECT_NEAR(flat.at("collision_frequency_at_voidage/6in5W/0.46").value, 100.0, 1e-6);
+  EXPECT_FALSE(flat.contains("collision_frequency_at_voidage/6in5W/0.58")) << "no run is near";
+  // A single run stands for a voidage that it misses by less than 0.01, and for no other.
+  const auto single = measure_runs({made_up_run(0.06, "a", 0.455, 1450.0, {0.10, 0.11})});
+  EXPECT_TRUE(single.contains("drag_ratio_at_voidage/6in5W/0.46"));
+  EXPECT_FALSE(single.contains("drag_ratio_at_voidage/6in5W/0.52"));
+}
+
+TEST(MeasureRuns, QuantitiesAtAVoidageInterpolate) {
+  FinishedRun low = made_up_run(0.06, "a", 0.44, 1450.0, {0.10}), high = made_up_run(0.07, "b", 0.50, 1450.0, {0.10});
+  for (double& contacts : low.result.drops.front().contacts) contacts = 1.0;
+  for (double& contacts : high.result.drops.front().contacts) contacts = 4.0;
+  // A third of the way from 0.44 to 0.50.
+  EXPECT_NEAR(measure_runs({low, high}).at("mean_contacts_at_voidage/6in5W/0.46").value, 2.0, 1e-9);
+}
+
+TEST(MeasureRuns, ShareOfRunsWithinTenPercentOfEquation40) {
+  // Force over weight 0.5 in every made-up run; Eq. 40 gives 0.500 at 0.763 and 0.916 at 0.46.
+  const auto measured =
+      measure_runs({made_up_run(0.06, "a", 0.46, 1450.0, {0.10}), made_up_run(0.20, "b", 0.763, 1450.0, {0.10}),
+                    made_up_run(0.21, "c", 0.760, 1450.0, {0.10})});
+  EXPECT_NEAR(measured.at("equation_40_share_within_10_percent/all").value, 2.0 / 3.0, 1e-12);
+  EXPECT_GT(measured.at("equation_40_share_within_10_percent/all").half_width, 0.3) << "three runs say little";
 }
 
 TEST(MeasureRuns, MinimumFluidisationIsTheCrossingOfTheTwoLines) {

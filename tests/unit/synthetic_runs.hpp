@@ -4,6 +4,7 @@
 #include <cmath>
 #include <random>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "experiments/campaign.hpp"
@@ -87,11 +88,28 @@ inline DropSeries drop(double superficial_velocity, double release_time, double 
   return series;
 }
 
-inline FinishedRun run(double superficial_velocity, const std::string& variant, unsigned seed) {
+/// A few spheres on a lattice about the axis and the dropped one among them.
+inline Snapshot snapshot(const std::string& moment, double foreign_height) {
+  Snapshot snapshot{moment, 4.0, 27, {}, {}, {}, {}};
+  for (int i = 0; i < 27; ++i) {
+    snapshot.x.push_back(0.006 * (i % 3 - 1));
+    snapshot.y.push_back(0.006 * (i / 3 % 3 - 1));
+    snapshot.z.push_back(foreign_height + 0.006 * (i / 9 + 1));
+    snapshot.radius.push_back(0.0025);
+  }
+  snapshot.x.push_back(0.0);
+  snapshot.y.push_back(0.0);
+  snapshot.z.push_back(foreign_height);
+  snapshot.radius.push_back(0.003);
+  return snapshot;
+}
+
+inline FinishedRun run(const std::string& system, double superficial_velocity, const std::string& variant,
+                       unsigned seed) {
   std::mt19937 generator(seed);
   std::normal_distribution<double> noise(0.0, 1.0);
   FinishedRun run;
-  run.spec = {"6in5W", superficial_velocity, variant, "6in5W.toml", {}};
+  run.spec = {system, superficial_velocity, variant, "6in5W.toml", {}};
   run.scene = scene(superficial_velocity);
   RunResult& result = run.result;
   result.name = "synthetic" + std::to_string(seed);
@@ -141,9 +159,18 @@ inline FinishedRun run(double superficial_velocity, const std::string& variant, 
     for (const double x : plane.x) {
       const double local = z < height ? voidage + 0.06 * std::sin(60 * z + 90 * x) + 0.02 * noise(generator) : 1.0;
       plane.voidage.push_back(std::clamp(local, 0.36, 1.0));
-      plane.velocity_x.push_back(0.0);
+      plane.velocity_x.push_back(0.02 * std::sin(50 * z + 40 * x));
       plane.velocity_z.push_back(superficial_velocity / local);
     }
+  LiquidFluctuation& fluctuation = result.fluctuation;
+  for (int step = 0; step < 200; ++step) {
+    fluctuation.time.push_back(2.0 + 0.01 * step);
+    for (auto* series :
+         {&fluctuation.series_x, &fluctuation.series_y, &fluctuation.series_z, &fluctuation.series_vector})
+      series->push_back(0.03 + 0.003 * noise(generator));
+  }
+  for (const auto& [moment, share] : {std::pair{"release", 3.0}, {"enters", 1.0}, {"halfway", 0.5}, {"ends", 0.015}})
+    result.snapshots.push_back(snapshot(moment, share * height));
   return run;
 }
 
@@ -152,19 +179,26 @@ inline Profile profile() {
   profile.name = "synthetic";
   profile.differences = {"Every number of a simulation on this page is made up: this is a test of the drawing.",
                          "Contact stiffness 1e3 N/m instead of 1e4 N/m."};
-  for (const double velocity : {0.05, 0.06, 0.07, 0.08, 0.09, 0.10, 0.11}) {
+  for (const double velocity : {0.03, 0.04, 0.05, 0.06, 0.07, 0.08, 0.09, 0.10, 0.11, 0.12, 0.16, 0.18, 0.20, 0.24}) {
     profile.runs.push_back({"6in5W", velocity, "", "6in5W.toml", {}});
     if (velocity == 0.06 || velocity == 0.10)
       profile.runs.push_back({"6in5W", velocity, "di-felice-1994", "6in5W.toml", {}});
   }
+  // Velocities whose made-up voidages are near those of the paper's Fig. 15.
+  for (const char* system : {"6in3W", "6in4W", "5in5W", "4in5W", "3in5W", "6in3N", "6in5N"})
+    for (const double velocity : {0.06, 0.15, 0.24}) profile.runs.push_back({system, velocity, "", "6in5W.toml", {}});
   return profile;
 }
+
+/// The profile asks for runs at this velocity, and none exists.
+inline constexpr double absent_velocity = 0.05;
 
 inline std::vector<FinishedRun> runs(const Profile& profile) {
   std::vector<FinishedRun> finished;
   unsigned seed = 1;
   for (const auto& spec : profile.runs)
-    if (spec.superficial_velocity != 0.05) finished.push_back(run(spec.superficial_velocity, spec.variant, seed++));
+    if (spec.superficial_velocity != absent_velocity)
+      finished.push_back(run(spec.system, spec.superficial_velocity, spec.variant, seed++));
   return finished;
 }
 

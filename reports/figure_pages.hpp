@@ -1,0 +1,17 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "reports/report.hpp"
+
+namespace slfb {
+
+/// All figures side by side, each a link to its page, for the first page of the report.
+std::string figure_gallery(const ReportContents& contents, const std::filesystem::path& figures_folder);
+
+/// Writes one page per figure, `folder`/ID.html, beside the pictures and tables of the figures: the picture, how it is
+/// measured, what the paper states beside our numbers, the simulations behind it and their cost, and how to redraw it.
+void write_figure_pages(const ReportContents& contents, const std::filesystem::path& folder);
+
+}  // namespace slfb
