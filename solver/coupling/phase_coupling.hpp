@@ -49,8 +49,8 @@ class PhaseCoupling {
   [[nodiscard]] double reynolds(std::size_t i) const { return reynolds_[i]; }
   [[nodiscard]] double liquid_velocity(std::size_t i, std::size_t a) const { return liquid_velocity_[a][i]; }
   [[nodiscard]] double drag_force(std::size_t i, std::size_t a) const { return drag_[a][i]; }
-  /// −V ∇p with the static pressure [N].
-  [[nodiscard]] double pressure_force(std::size_t i, std::size_t a) const;
+  /// −V ∇p with the static pressure [N]; reads the whole field for one sphere.
+  [[nodiscard]] double pressure_force(std::size_t i, std::size_t a);
 
   /// Drag that left the liquid over the last step, from its own momentum nodes [N].
   [[nodiscard]] double drag_taken_from_liquid(std::size_t a) const;
@@ -110,8 +110,9 @@ class PhaseCoupling {
   dem::VectorField interval_centres_;
   std::vector<CellValues> cells_;  ///< what the spheres read
   bool cells_valid_ = false;
-  /// Per cell: u [m/s], dynamic ∇p [Pa/m], −∇p + ∇·τ [N/m³].
-  std::array<std::vector<double>, 3> cell_velocity_, pressure_gradient_, cell_stress_;
+  bool velocity_is_gathered_ = false;  ///< liquid_velocity_ is that of cells_ by the present shares
+  /// Per cell: u [m/s], −∇p + ∇·τ with the dynamic pressure [N/m³].
+  std::array<std::vector<double>, 3> cell_velocity_, cell_stress_;
   std::array<std::vector<double>, 5> scattered_;  ///< per cell: K', K' v' without stress, its volume
   fluid::Exchange exchange_;
   std::vector<double> volume_, voidage_, reynolds_, coefficient_, damped_coefficient_, next_coefficient_;

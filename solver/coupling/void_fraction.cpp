@@ -133,7 +133,8 @@ void VolumeShares::update(const dem::VectorField& centres, const std::vector<dou
   cell_.resize(n * stride_);
   share_.resize(n * stride_);
   count_.resize(n);
-#pragma omp parallel for num_threads(threads) schedule(static)
+  std::size_t occupied = 0;
+#pragma omp parallel for num_threads(threads) schedule(static) reduction(max : occupied)
   for (std::size_t i = 0; i < n; ++i) {
     const auto x = centres.at(i);
     const double r = radius[i];
@@ -146,7 +147,9 @@ void VolumeShares::update(const dem::VectorField& centres, const std::vector<dou
     else
       cut_sphere(block, x, r, parts);
     keep_occupied(i, block);
+    occupied = std::max(occupied, static_cast<std::size_t>(block.first[2] + block.cells[2]));
   }
+  occupied_layers_ = occupied;
 }
 
 }  // namespace slfb::coupling

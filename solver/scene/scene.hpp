@@ -134,7 +134,7 @@ struct Scene {
 
 inline constexpr double gravity = 9.81;  ///< [m/s²], as in every number of the paper
 
-/// Raised by hand when a change of the solver changes results; part of each run's name.
+/// Raised by hand when a change of the solver changes results by more than round-off; part of each run's name.
 inline constexpr int numerics_version = 4;
 
 }  // namespace slfb
