@@ -14,7 +14,7 @@ std::vector<FinishedRun> finished_runs(const Profile& profile, const std::filesy
     Scene scene = load_run_scene(spec);
     const std::string hash = scene_hash(scene);
     if (const auto own = result_file(out, hash); std::filesystem::exists(own)) {
-      runs.push_back({spec, std::move(scene), load_result(own), false, false});
+      runs.push_back({spec, std::move(scene), load_result(own), false, false, {}});
     } else if (const auto committed = published_file(spec); std::filesystem::exists(committed)) {
       RunResult result;
       try {
@@ -27,7 +27,10 @@ std::vector<FinishedRun> finished_runs(const Profile& profile, const std::filesy
       const bool stale = result.numerics != numerics_version || result.name != hash;
       // An older result is analysed with the scene it was made from.
       if (stale) scene = parse_scene(result.scene_text, committed.string());
-      runs.push_back({spec, std::move(scene), std::move(result), true, stale});
+      std::optional<RunSummary> summary;
+      if (const auto numbers = published_summary(spec); std::filesystem::exists(numbers))
+        summary = load_summary(numbers);
+      runs.push_back({spec, std::move(scene), std::move(result), true, stale, std::move(summary)});
     }
   }
   return runs;

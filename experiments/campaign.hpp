@@ -2,9 +2,11 @@
 
 #include <filesystem>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
+#include "experiments/run_summary.hpp"
 #include "solver/io/run_result.hpp"
 #include "solver/scene/scene_file.hpp"
 
@@ -25,11 +27,12 @@ struct Profile {
   std::string name;
   std::vector<std::string> differences;  ///< sentences, shown on each figure
   std::vector<RunSpec> runs;
+  std::set<std::string> whole = {};  ///< run_key of those that figures draw sample by sample: published unthinned
 };
 Profile load_profile(const std::string& name);
 
-/// The profile and the runs of the full one that it lacks: what figures and claims use where results exist. Only the
-/// profile's own runs are simulated with it.
+/// The profile and the runs of the full one: what figures and claims use where results exist. Only the profile's own
+/// runs are simulated with it.
 Profile with_full_runs(Profile profile);
 
 /// A finished run with the specification it answers.
@@ -37,8 +40,9 @@ struct FinishedRun {
   RunSpec spec;
   Scene scene;
   RunResult result;
-  bool published = false;  ///< read from the committed results rather than from this machine
-  bool stale = false;      ///< made by an older numerics version
+  bool published = false;                  ///< read from the committed results rather than from this machine
+  bool stale = false;                      ///< made by an older numerics version
+  std::optional<RunSummary> summary = {};  ///< of the whole series, where `result` holds thinned ones
 };
 
 /// Finished runs of a profile: first this machine's (`out`/runs), then the committed ones (reports/published/runs).

@@ -3,16 +3,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
-#include <optional>
+#include <numeric>
 #include <regex>
 #include <set>
-#include <stdexcept>
 
-#include "correlations/collision/collision_force/peng_2014.hpp"
-#include "correlations/collision/collision_frequency/simonin_1991.hpp"
-#include "correlations/collision/radial_distribution/lun_savage_1986.hpp"
-#include "correlations/collision/stokes_number.hpp"
 #include "experiments/analysis.hpp"
 #include "experiments/measure.hpp"
 #include "experiments/reference_data.hpp"
@@ -24,294 +18,87 @@ namespace {
 constexpr double packed_up_to = 0.0401;
 constexpr double fluidised_from = 0.0599;
 
-double cross_section(const Geometry& geometry) {
-  return geometry.shape == Shape::cylinder ? std::numbers::pi / 4.0 * geometry.diameter * geometry.diameter
-                                           : geometry.width[0] * geometry.width[1];
-}
-
-const Species& species_named(const Scene& scene, const std::string& name) {
-  const auto found =
-      std::find_if(scene.species.begin(), scene.species.end(), [&](const Species& s) { return s.name == name; });
-  if (found == scene.species.end()) throw std::runtime_error("a run dropped the unknown species \"" + name + "\"");
-  return *found;
-}
-
-const Species& bed_species(const Scene& scene) {
-  const auto found =
-      std::find_if(scene.species.begin(), scene.species.end(), [](const Species& s) { return s.count > 0; });
-  if (found == scene.species.end()) throw std::runtime_error("a run has no bed particles");
-  return *found;
-}
-
-/// Volume of the spheres that are still in the column [m³].
-double solids_volume(const FinishedRun& run) {
-  double volume = 0.0;
-  std::int64_t count = 0;
-  for (const Species& species : run.scene.species) {
-    volume += static_cast<double>(species.count) * std::numbers::pi / 6.0 * std::pow(species.diameter, 3);
-    count += species.count;
-  }
-  const double remaining = static_cast<double>(count - run.result.particles_removed) / static_cast<double>(count);
-  return volume * remaining;
-}
-
-/// The bed before anything is dropped: samples from the start of fluidisation to the first release.
-std::vector<double> undisturbed(const BedSeries& bed, const std::vector<double>& history) {
-  std::vector<double> values;
-  for (std::size_t i = 0; i < bed.time.size(); ++i) {
-    if (bed.foreign_present[i] > 0.5) break;
-    if (bed.time[i] >= 0.0) values.push_back(history[i]);
-  }
-  return values;
-}
-
 /// All runs that answer one key.
 class RunGroup {
  public:
-  RunGroup(const RunSpec& spec, std::vector<const FinishedRun*> runs, Measurements& measurements)
-      : spec_(spec), runs_(std::move(runs)), measurements_(measurements) {}
+  RunGroup(const RunSpec& spec, const std::vector<const FinishedRun*>& runs, Measurements& measurements)
+      : spec_(spec), measurements_(measurements) {
+    for (const FinishedRun* run : runs) {
+      origin_ += (origin_.empty() ? "" : ", ") + run->result.name;
+      summaries_.push_back(run->summary ? *run->summary : summarise(spec.system, run->scene, run->result));
+    }
+  }
 
   void measure() {
-    measure_bed();
-    measure_drops();
-    measure_cost();
+    pool_bed();
+    std::map<std::string, std::vector<double>> values;
+    for (const RunSummary& summary : summaries_) {
+      for (const auto& [quantity, value] : summary.run) values[quantity].push_back(value);
+      for (const auto& drop : summary.drops)
+        for (const auto& [quantity, value] : drop) values[quantity].push_back(value);
+    }
+    const auto total = [&](const std::string& quantity) {
+      const auto found = values.extract(quantity);
+      return found.empty() ? 0.0 : std::accumulate(found.mapped().begin(), found.mapped().end(), 0.0);
+    };
+    const double wall = total("wall_seconds"), simulated = total("simulated_seconds");
+    add("particles_removed", {total("particles_removed"), 0.0, summaries_.size(), "-", ""});
+    if (simulated > 0.0)
+      add("wall_seconds_per_simulated_second", {wall / simulated, 0.0, summaries_.size(), "s/s", ""});
+    for (const auto& [quantity, samples] : values) {
+      const ReplicateEstimate estimate = estimate_replicates(samples);
+      add(quantity, {estimate.mean, estimate.half_width, estimate.samples, unit_of(quantity), ""});
+    }
   }
 
  private:
   void add(std::string_view quantity, Measurement measurement) {
-    std::string origin;
-    for (const FinishedRun* run : runs_) origin += (origin.empty() ? "" : ", ") + run->result.name;
-    measurement.origin = std::move(origin);
+    measurement.origin = origin_;
     measurements_[measure_key(quantity, spec_.system, spec_.superficial_velocity, spec_.variant)] =
         std::move(measurement);
   }
 
-  /// One value per run or per drop, those that have none left out.
-  void add_replicates(std::string_view quantity, const std::string& unit, const std::vector<double>& values) {
-    if (values.empty()) return;
-    const ReplicateEstimate estimate = estimate_replicates(values);
-    add(quantity, {estimate.mean, estimate.half_width, estimate.samples, unit, ""});
-  }
-
-  template <class Value>
-  void add_per_run(std::string_view quantity, const std::string& unit, Value value) {
-    std::vector<double> values;
-    for (const FinishedRun* run : runs_) values.push_back(value(*run));
-    add_replicates(quantity, unit, values);
-  }
-
-  /// Mean over the undisturbed bed after its transient: the interval of the correlated series for one run, that of
-  /// the replicates for several. `derive` turns a sample of the history into the quantity.
-  template <class Derive>
-  void add_series(std::string_view quantity, const std::string& unit, std::vector<double> BedSeries::*history,
-                  Derive derive) {
-    std::vector<double> means;
-    SeriesEstimate last;
-    for (const FinishedRun* run : runs_) {
-      std::vector<double> values = undisturbed(run->result.bed, run->result.bed.*history);
-      if (values.empty()) continue;
-      std::transform(values.begin(), values.end(), values.begin(), [&](double value) { return derive(*run, value); });
-      last = estimate_steady_mean(values);
-      means.push_back(last.mean);
-    }
-    add_means(quantity, unit, means, last);
-  }
-
-  /// Means of one or more runs; the interval of a single one is that of its own series, `last`.
-  void add_means(std::string_view quantity, const std::string& unit, const std::vector<double>& means,
-                 const SeriesEstimate& last) {
-    if (means.size() > 1) {
-      add_replicates(quantity, unit, means);
-    } else if (means.size() == 1) {
-      add(quantity,
-          {last.mean, last.half_width, static_cast<std::size_t>(std::max(1.0, last.effective_samples)), unit, ""});
-    }
-  }
-
-  /// u'_L of Eq. 37: mean over the samples, each the mean of |u − ū| over the cells of the window.
-  void add_fluctuation(std::string_view quantity, std::vector<double> LiquidFluctuation::*history) {
-    std::vector<double> means;
-    SeriesEstimate last;
-    for (const FinishedRun* run : runs_) {
-      const auto& values = run->result.fluctuation.*history;
-      if (values.empty()) continue;
-      last = estimate_mean(values);
-      means.push_back(last.mean);
-    }
-    add_means(quantity, "m/s", means, last);
-  }
-
-  void measure_bed() {
-    const auto as_recorded = [](const FinishedRun&, double value) { return value; };
-    add_series("pressure_drop", "Pa", &BedSeries::pressure_drop, as_recorded);
-    add_series("fluctuating_energy", "m²/s²", &BedSeries::fluctuating_energy, as_recorded);
-    add_series("local_fluctuating_energy", "m²/s²", &BedSeries::local_fluctuating_energy, as_recorded);
-    add_series("contacts_per_particle", "-", &BedSeries::contacts_per_particle, as_recorded);
-    add_series("maximum_overlap_mean", "-", &BedSeries::maximum_overlap, as_recorded);
-    add_series("bed_top", "m", &BedSeries::bed_top, as_recorded);
-    add_series("voidage_centre_of_mass", "-", &BedSeries::centre_of_mass_height,
-               [](const FinishedRun& run, double height) {
-                 return voidage_from_height(solids_volume(run), cross_section(run.scene.geometry), 2.0 * height);
-               });
-    // The top is a height of centres; half a diameter of the uppermost particles stands above it.
-    add_series("voidage_bed_top", "-", &BedSeries::bed_top, [](const FinishedRun& run, double height) {
-      return voidage_from_height(solids_volume(run), cross_section(run.scene.geometry),
-                                 height + 0.5 * bed_species(run.scene).diameter);
-    });
-    add_series("stokes_number", "-", &BedSeries::fluctuating_energy, [](const FinishedRun& run, double energy) {
-      const Species& bed = bed_species(run.scene);
-      return collision::stokes_number({bed.diameter, bed.density},
-                                      {run.scene.liquid.density, run.scene.liquid.viscosity}, energy);
-    });
-    add_per_run("packed_voidage", "-", [](const FinishedRun& run) { return run.result.packed_voidage; });
-    add_per_run("packed_height", "m", [](const FinishedRun& run) { return run.result.packed_height; });
-
-    std::vector<double> voidage, vorticity, speed;
-    for (const FinishedRun* run : runs_) {
-      const auto plane = analyse_plane(run->result.plane, bed_top(*run));
-      if (!plane) continue;
-      voidage.push_back(plane->voidage_deviation);
-      if (std::isfinite(plane->vorticity_range)) vorticity.push_back(plane->vorticity_range);
-      if (std::isfinite(plane->speed_maximum)) speed.push_back(plane->speed_maximum);
-    }
-    add_replicates("plane_voidage_deviation", "-", voidage);
-    add_replicates("plane_vorticity_range", "1/s", vorticity);
-    add_replicates("plane_speed_maximum", "m/s", speed);
-    add_fluctuation("liquid_fluctuation", &LiquidFluctuation::series_vector);
-    add_fluctuation("liquid_fluctuation_vertical", &LiquidFluctuation::series_z);
-  }
-
-  /// Mean height of the top of the undisturbed bed; that of the packed bed where nothing was recorded [m].
-  static double bed_top(const FinishedRun& run) {
-    const auto top = undisturbed(run.result.bed, run.result.bed.bed_top);
-    return top.empty() ? run.result.packed_height : estimate_steady_mean(top).mean;
-  }
-
-  static std::optional<double> mean_of_bed(const FinishedRun& run, const std::vector<double>& history) {
-    const auto values = undisturbed(run.result.bed, history);
-    if (values.empty()) return std::nullopt;
-    return estimate_steady_mean(values).mean;
-  }
-
-  void measure_drops() {
-    struct Drop {
-      DropStatistics statistics;
-      double bed_diameter;
-      std::optional<double> voidage;
-      std::optional<double> energy;
-    };
-    std::vector<Drop> drops;
-    const double release_clock =
-        peng_2014().value(spec_.system.ends_with('N') ? "drop_time_sodium_iodide" : "drop_time_water");
-    for (const FinishedRun* run : runs_) {
-      if (run->result.drops.empty()) continue;
-      const double top = bed_top(*run);
-      const auto height = mean_of_bed(*run, run->result.bed.centre_of_mass_height);
-      std::optional<double> voidage;
-      if (height) {
-        voidage = voidage_from_height(solids_volume(*run), cross_section(run->scene.geometry), 2.0 * *height);
-      }
-      for (const DropSeries& drop : run->result.drops) {
-        const Species& sphere = species_named(run->scene, drop.species);
-        const double bed_diameter = bed_species(run->scene).diameter;
-        drops.push_back({analyse_drop(drop, {.bed_top = top,
-                                             .bed_diameter = bed_diameter,
-                                             .sphere_diameter = sphere.diameter,
-                                             .sphere_density = sphere.density,
-                                             .release_clock = release_clock}),
-                         bed_diameter, voidage, mean_of_bed(*run, run->result.bed.fluctuating_energy)});
+  /// Means of the undisturbed bed: of one run with the interval of its own series, of several together.
+  void pool_bed() {
+    std::map<std::string, std::vector<SeriesEstimate>> estimates;
+    for (const RunSummary& summary : summaries_)
+      for (const auto& [quantity, estimate] : summary.bed) estimates[quantity].push_back(estimate);
+    for (const auto& [quantity, runs] : estimates) {
+      const auto samples = [&] {
+        double sum = 0.0;
+        for (const SeriesEstimate& run : runs) sum += run.effective_samples;
+        return static_cast<std::size_t>(std::max(1.0, sum));
+      };
+      const bool weighable =
+          std::all_of(runs.begin(), runs.end(), [](const SeriesEstimate& run) { return run.half_width > 0.0; });
+      if (runs.size() == 1) {
+        add(quantity, {runs.front().mean, runs.front().half_width, samples(), unit_of(quantity), ""});
+      } else if (weighable) {
+        const auto [mean, half_width] = weighted_mean(runs);
+        add(quantity, {mean, half_width, samples(), unit_of(quantity), ""});
+      } else {
+        std::vector<double> means;
+        for (const SeriesEstimate& run : runs) means.push_back(run.mean);
+        const ReplicateEstimate estimate = estimate_replicates(means);
+        add(quantity, {estimate.mean, estimate.half_width, estimate.samples, unit_of(quantity), ""});
       }
     }
-
-    const auto add_per_drop = [&](std::string_view quantity, const std::string& unit, auto value) {
-      std::vector<double> values;
-      for (const Drop& drop : drops) {
-        if (const std::optional<double> v = value(drop)) values.push_back(*v);
-      }
-      add_replicates(quantity, unit, values);
-    };
-    const auto add_statistic = [&](std::string_view quantity, const std::string& unit,
-                                   std::optional<double> DropStatistics::*member) {
-      add_per_drop(quantity, unit, [member](const Drop& drop) { return drop.statistics.*member; });
-    };
-    const auto add_fitted = [&](std::string_view quantity, const std::string& unit, double ClassificationFit::*member) {
-      add_per_drop(quantity, unit, [member](const Drop& drop) -> std::optional<double> {
-        if (!drop.statistics.classification) return std::nullopt;
-        return *drop.statistics.classification.*member;
-      });
-    };
-    add_fitted("classification_velocity", "m/s", &ClassificationFit::velocity);
-    add_fitted("classification_intercept", "m", &ClassificationFit::intercept);
-    add_fitted("classification_r2", "-", &ClassificationFit::r_squared);
-    add_statistic("time_to_bottom", "s", &DropStatistics::time_to_bottom);
-    add_statistic("terminal_velocity", "m/s", &DropStatistics::terminal_velocity);
-    add_statistic("terminal_reynolds", "-", &DropStatistics::terminal_reynolds);
-    add_statistic("penetration", "m", &DropStatistics::penetration);
-    add_statistic("collision_frequency", "1/s", &DropStatistics::collision_frequency);
-    add_statistic("collision_force_ratio", "-", &DropStatistics::force_ratio);
-    add_statistic("collision_force_ratio_of_mean", "-", &DropStatistics::force_ratio_of_mean);
-    add_statistic("peak_force_ratio", "-", &DropStatistics::peak_force_ratio);
-    add_statistic("drag_ratio", "-", &DropStatistics::drag_ratio);
-    add_statistic("pressure_gradient_ratio", "-", &DropStatistics::pressure_gradient_ratio);
-    add_statistic("collision_to_drag_ratio", "-", &DropStatistics::collision_to_drag_ratio);
-    add_statistic("mean_contacts", "-", &DropStatistics::mean_contacts);
-    add_statistic("maximum_contacts", "-", &DropStatistics::maximum_contacts);
-    add_statistic("contact_fraction", "-", &DropStatistics::contact_fraction);
-    add_statistic("lateral_travel", "-", &DropStatistics::lateral_travel);
-    add_statistic("local_voidage_mean", "-", &DropStatistics::local_voidage_mean);
-    add_statistic("local_voidage_minimum", "-", &DropStatistics::local_voidage_minimum);
-    add_statistic("local_voidage_maximum", "-", &DropStatistics::local_voidage_maximum);
-
-    // A drop that was followed for a shorter time without reaching the bottom says nothing.
-    for (const int seconds : {15, 30}) {
-      add_per_drop(fmt::format("falling_after_{}_s", seconds), "-",
-                   [seconds](const Drop& drop) -> std::optional<double> {
-                     const auto& bottom = drop.statistics.time_to_bottom;
-                     if (bottom && *bottom < seconds) return 0.0;
-                     return drop.statistics.time_followed >= seconds ? std::optional(1.0) : std::nullopt;
-                   });
-    }
-    add_per_drop("bottom_fraction", "-",
-                 [](const Drop& drop) -> std::optional<double> { return drop.statistics.time_to_bottom ? 1.0 : 0.0; });
-
-    const auto dimensionless_frequency = [](const Drop& drop) -> std::optional<double> {
-      if (!drop.statistics.collision_frequency || !drop.energy || !(*drop.energy > 0.0)) return std::nullopt;
-      return *drop.statistics.collision_frequency * drop.bed_diameter / std::sqrt(*drop.energy);
-    };
-    add_per_drop("dimensionless_collision_frequency", "-", dimensionless_frequency);
-    add_per_drop("ktgf_ratio", "-", [&](const Drop& drop) -> std::optional<double> {
-      const auto ours = dimensionless_frequency(drop);
-      const collision::LunSavage1986 contact_value;
-      if (!ours || !drop.voidage || 1.0 - *drop.voidage >= contact_value.packed_solids) return std::nullopt;
-      const collision::CollisionState state{.solids = 1.0 - *drop.voidage,
-                                            .bed_diameter = drop.bed_diameter,
-                                            .foreign_diameter = drop.bed_diameter,
-                                            .kinetic_energy = *drop.energy,
-                                            .contact_value = contact_value(1.0 - *drop.voidage)};
-      return *ours / collision::dimensionless_frequency(collision::Simonin1991{}(state), state);
-    });
-    add_per_drop("equation_40_deviation", "-", [](const Drop& drop) -> std::optional<double> {
-      if (!drop.statistics.force_ratio || !drop.voidage) return std::nullopt;
-      const ForeignSphereInBed state{
-          .bed = {}, .foreign = {}, .liquid = {}, .voidage = *drop.voidage, .superficial_velocity = 0.0};
-      return *drop.statistics.force_ratio / collision::Peng2014{}(state, 0.0) - 1.0;
-    });
   }
 
-  void measure_cost() {
-    double wall = 0.0, simulated = 0.0, removed = 0.0;
-    for (const FinishedRun* run : runs_) {
-      wall += run->result.wall_seconds;
-      simulated += run->result.simulated_seconds;
-      removed += static_cast<double>(run->result.particles_removed);
-    }
-    // Facts about these very runs, not samples of something.
-    add("particles_removed", {removed, 0.0, runs_.size(), "-", ""});
-    if (simulated > 0.0) add("wall_seconds_per_simulated_second", {wall / simulated, 0.0, runs_.size(), "s/s", ""});
+  /// Mean weighted by the intervals, and its interval: wider by the ratio of Birge (1932, Phys. Rev. 40, 207) where the
+  /// runs scatter more than their own intervals say.
+  static std::pair<double, double> weighted_mean(const std::vector<SeriesEstimate>& runs) {
+    double weights = 0.0, mean = 0.0, scatter = 0.0;
+    for (const SeriesEstimate& run : runs) weights += 1.0 / (run.half_width * run.half_width);
+    for (const SeriesEstimate& run : runs) mean += run.mean / (run.half_width * run.half_width * weights);
+    for (const SeriesEstimate& run : runs) scatter += std::pow((run.mean - mean) / (0.5 * run.half_width), 2);
+    const double birge = std::sqrt(scatter / static_cast<double>(runs.size() - 1));
+    return {mean, std::max(1.0, birge) / std::sqrt(weights)};
   }
 
   const RunSpec& spec_;
-  std::vector<const FinishedRun*> runs_;
+  std::vector<RunSummary> summaries_;
+  std::string origin_;
   Measurements& measurements_;
 };
 

@@ -5,7 +5,6 @@
 #include <stdexcept>
 
 #include "experiments/campaign.hpp"
-#include "experiments/measure.hpp"
 
 namespace slfb {
 namespace {
@@ -108,14 +107,14 @@ Profile load_profile(const std::string& name) {
       profile.runs.push_back(std::move(spec));
     }
   }
+  if (table.contains("whole"))
+    for (std::string& key : definitions.values<std::string>(table, "whole")) profile.whole.insert(std::move(key));
   return profile;
 }
 
 Profile with_full_runs(Profile profile) {
-  const auto own = profile.runs;
-  for (RunSpec& run : load_profile("full").runs)
-    if (std::none_of(own.begin(), own.end(), [&](const RunSpec& spec) { return run_key(spec) == run_key(run); }))
-      profile.runs.push_back(std::move(run));
+  if (profile.name == "full") return profile;
+  for (RunSpec& run : load_profile("full").runs) profile.runs.push_back(std::move(run));
   return profile;
 }
 

@@ -17,7 +17,15 @@ std::filesystem::path run_directory(const std::filesystem::path& out, const std:
 /// The result of a finished run.
 std::filesystem::path result_file(const std::filesystem::path& out, const std::string& hash);
 
-/// The committed result of a specification: "6in5W_0.06_default.h5" in reports/published/runs.
+/// The committed result of a specification: "quick/6in5W_0.06_default.h5" in reports/published/runs.
 std::filesystem::path published_file(const RunSpec& spec);
+
+/// What was measured in it, from the whole series: the same name with .json.
+std::filesystem::path published_summary(const RunSpec& spec);
+
+/// Puts a finished result where it can be committed: its summary, and its series thinned to what figures draw, the bed
+/// at every fifth sample and drops at every twentieth. With `whole` the first drop stays as it was recorded, and the
+/// snapshots stay.
+void publish_result(const RunSpec& spec, const RunResult& result, bool whole);
 
 }  // namespace slfb

@@ -81,8 +81,7 @@ void publish(const Profile& profile, const std::filesystem::path& out) {
   for (const RunSpec& spec : profile.runs) {
     const auto result = result_file(out, scene_hash(load_run_scene(spec)));
     if (!std::filesystem::exists(result)) continue;
-    std::filesystem::create_directories(published_file(spec).parent_path());
-    std::filesystem::copy_file(result, published_file(spec), std::filesystem::copy_options::overwrite_existing);
+    publish_result(spec, load_result(result), profile.whole.contains(run_key(spec)));
     fmt::print("published {}\n", published_file(spec).string());
   }
 }

@@ -135,6 +135,14 @@ std::string drop_group(std::int64_t number) { return fmt::format("drops/{:04}", 
 
 }  // namespace
 
+void for_each_column(BedSeries& series, const std::function<void(std::vector<double>&)>& visit) {
+  for (const auto& column : bed_columns) visit(series.*column.values);
+}
+
+void for_each_column(DropSeries& series, const std::function<void(std::vector<double>&)>& visit) {
+  for (const auto& column : drop_columns) visit(series.*column.values);
+}
+
 void save_result(const RunResult& result, const std::filesystem::path& file) {
   io::write_atomically(file, [&](Hdf5File& target) {
     target.write_attribute("/", "name", result.name);

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -106,6 +107,10 @@ struct RunResult {
   LiquidFluctuation fluctuation;
   std::vector<Snapshot> snapshots;
 };
+
+/// Calls `visit` with each column of a series.
+void for_each_column(BedSeries& series, const std::function<void(std::vector<double>&)>& visit);
+void for_each_column(DropSeries& series, const std::function<void(std::vector<double>&)>& visit);
 
 /// Writes `result` to an HDF5 file: one group per series, attribute `unit` on each data set, scene text,
 /// versions and provenance as attributes of the root. Written to a temporary file and renamed.

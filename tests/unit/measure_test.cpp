@@ -166,6 +166,34 @@ TEST(MeasureRuns, RunsOfOneKeyAreReplicates) {
   EXPECT_EQ(measured.at("classification_velocity/6in5W/0.06").samples, 2u);
 }
 
+// What a published run lost by thinning stands in its summary: its numbers are those of the whole series.
+TEST(MeasureRuns, ASummaryStandsForItsSeries) {
+  FinishedRun thinned = made_up_run(0.06, "a", 0.46, 1440.0, {0.10, 0.12});
+  const auto whole = measure_runs({thinned});
+  thinned.summary = summarise(thinned.spec.system, thinned.scene, thinned.result);
+  thinned.result.bed = {};
+  thinned.result.drops.clear();
+  const auto measured = measure_runs({thinned});
+  ASSERT_EQ(measured.size(), whole.size());
+  for (const auto& [key, measurement] : whole) {
+    EXPECT_EQ(measured.at(key).value, measurement.value) << key;
+    EXPECT_EQ(measured.at(key).samples, measurement.samples) << key;
+  }
+}
+
+// Two beds of 1450 ± 2 and 1456 ± 1 Pa: the mean lies by weights 1 to 4 at 1454.8; they are further apart than their
+// intervals allow, and the interval grows by as much.
+TEST(MeasureRuns, BedsAreWeightedByTheirIntervals) {
+  FinishedRun a = made_up_run(0.06, "a", 0.46, 1440.0, {}), b = made_up_run(0.06, "b", 0.46, 1440.0, {});
+  a.summary.emplace().bed["pressure_drop"] = {1450.0, 2.0, 1.0, 50.0, 0};
+  b.summary.emplace().bed["pressure_drop"] = {1456.0, 1.0, 1.0, 50.0, 0};
+  const Measurement pooled = measure_runs({a, b}).at("pressure_drop/6in5W/0.06");
+  EXPECT_NEAR(pooled.value, 1454.8, 1e-9);
+  // χ² = (4.8/1)² + (1.2/0.5)² = 28.8 of one degree of freedom, over the plain interval √(4/5).
+  EXPECT_NEAR(pooled.half_width, std::sqrt(28.8) * std::sqrt(0.8), 1e-9);
+  EXPECT_EQ(pooled.samples, 100U);
+}
+
 TEST(MeasureRuns, TheSameRunFromTwoPlacesCountsOnce) {
   const FinishedRun here = made_up_run(0.06, "a", 0.46, 1450.0, {0.10});
   FinishedRun published = here;
