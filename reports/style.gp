@@ -11,6 +11,7 @@ set title font ',15' textcolor rgb '#14181d'
 set xlabel textcolor rgb '#14181d'
 set ylabel textcolor rgb '#14181d'
 set bars 0.6
+set pointintervalbox 0
 set lmargin 9
 
 paper = '#000000'

@@ -92,10 +92,12 @@ FigureOutput draw(const FigureContext& context) {
   const DataTable section = section_edges(grid), side = side_edges(grid), joined = joined_squares(grid);
   for (const auto* table : {&section, &side, &joined}) output.data.push_back(write_csv(*table, context.out));
 
+  const Canvas canvas{760, 380};
   const double radius = 1e3 * grid.radius();
   // One scale within each panel: 270 pixels for 58 mm of the section, 110 mm of the part and 1 m of the domain.
   const std::string script = fmt::format(
-      "set multiplot\nunset grid\nunset key\nunset border\nunset tics\nset size ratio -1\nmm = 1000.0\n"
+      "height = {canvas}.0\nset multiplot\nunset grid\nunset key\nunset border\nunset tics\nset size ratio -1\nmm = "
+      "1000.0\n"
       "set style fill solid 0.25 noborder\n"
       "set tmargin at screen 1 - 30.0/height\nset bmargin at screen 26.0/height\nset lmargin at screen 0.01\nset "
       "rmargin at "
@@ -126,13 +128,14 @@ FigureOutput draw(const FigureContext& context) {
       "'{section}.csv' skip 1 using (mm*$1):(mm*$2):(mm*$3):(mm*$4) with vectors nohead linecolor rgb '#5b6470' "
       "linewidth "
       "0.9, {radius:g}*cos(t), {radius:g}*sin(t) with lines linecolor rgb '#14181d' linewidth 1.8\nunset multiplot\n",
-      fmt::arg("radius", radius), fmt::arg("diameter", 2.0 * radius), fmt::arg("column", 1e3 * grid.column_height()),
-      fmt::arg("height", 1e3 * grid.column_height() + 20.0), fmt::arg("middle", 500.0 * grid.column_height()),
-      fmt::arg("part", 1e3 * part_height), fmt::arg("part_top", 1e3 * part_height + 4.0), fmt::arg("side", side.name),
-      fmt::arg("section", section.name), fmt::arg("joined", joined.name), fmt::arg("half", 500.0 * grid.spacing(0)),
+      fmt::arg("canvas", canvas.height), fmt::arg("radius", radius), fmt::arg("diameter", 2.0 * radius),
+      fmt::arg("column", 1e3 * grid.column_height()), fmt::arg("height", 1e3 * grid.column_height() + 20.0),
+      fmt::arg("middle", 500.0 * grid.column_height()), fmt::arg("part", 1e3 * part_height),
+      fmt::arg("part_top", 1e3 * part_height + 4.0), fmt::arg("side", side.name), fmt::arg("section", section.name),
+      fmt::arg("joined", joined.name), fmt::arg("half", 500.0 * grid.spacing(0)),
       fmt::arg("steel", 500.0 * species[1].diameter), fmt::arg("glass", 500.0 * species[0].diameter),
       fmt::arg("steel_mm", 1e3 * species[1].diameter), fmt::arg("glass_mm", 1e3 * species[0].diameter));
-  draw_figure("fig02", script, {760, 380}, context.out);
+  draw_figure("fig02", script, canvas, context.out);
   return output;
 }
 

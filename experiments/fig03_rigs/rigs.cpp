@@ -28,9 +28,9 @@ set object 1 rectangle from 150,110 to 210,470 fillcolor rgb '#e9f3fa' fillstyle
 set object 2 rectangle from 165,110 to 195,480 fillcolor rgb water fillstyle solid border linecolor rgb '#2b3138' linewidth 1.4
 set object 3 rectangle from 165,60 to 195,108 fillcolor rgb '#efe6d2' fillstyle solid border linecolor rgb '#2b3138' linewidth 1.4
 set object 4 rectangle from 160,107 to 200,112 fillcolor rgb metal fillstyle solid noborder front
-bed_x(i) = 168.4 + 3.3*((i % 8) + 0.5*((i/8) % 2))
+bed_x(i) = 167.5 + 3.3*((i % 8) + 0.5*((i/8) % 2))
 bed_y(i) = 115.5 + 3.6*(i/8)
-calming_x(i) = 169 + 5.5*((i % 5) + 0.5*((i/5) % 2))
+calming_x(i) = 168.2 + 5.2*((i % 5) + 0.5*((i/5) % 2))
 calming_y(i) = 64 + 4.9*(i/5)
 set samples 300
 )";
@@ -70,9 +70,8 @@ set arrow 13 from 128,45 to 70,45 nohead linestyle 42
 set arrow 14 from 70,45 to 70,150 head filled size 6,20 linestyle 42
 set arrow 15 from 70,230 to 70,262 nohead linestyle 42
 set arrow 16 from 70,262 to 110,262 nohead linestyle 42
-set arrow 17 from 110,262 to 110,30 nohead linestyle 42 back
-set arrow 18 from 110,30 to 180,30 nohead linestyle 42
-set arrow 19 from 180,30 to 180,60 head filled size 6,20 linestyle 42
+set arrow 17 from 110,262 to 110,84 nohead linestyle 42
+set arrow 18 from 110,84 to 165,84 head filled size 6,20 linestyle 42
 set arrow 20 from 210,455 to 340,455 nohead linestyle 42
 set arrow 21 from 340,455 to 340,320 nohead linestyle 42
 set arrow 22 from 340,260 to 340,110 head filled size 6,20 linestyle 42

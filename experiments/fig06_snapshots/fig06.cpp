@@ -79,7 +79,10 @@ FigureOutput draw(const FigureContext& context) {
         "set label 2 '{}' at graph 0.5, screen base + 16.0/height center font ',11'\n"
         "set label 6 '{}' at graph 0.5, 0.5 center rotate by 90 font ',12' textcolor rgb quiet\n"
         "{}\nplot {}\n",
-        edge, edge + panel_width, tag, ours, printed_end(velocities[place]), last == nullptr ? "not yet simulated" : "",
+        edge, edge + panel_width, tag, ours, printed_end(velocities[place]),
+        last != nullptr  ? ""
+        : run == nullptr ? "not yet simulated"
+                         : "positions not recorded",
         place == 0 ? "set ylabel 'height z [m]' offset 1.5,0" : "set format y ''\nunset ylabel", plot);
     if (place == 0) script += "eval footer_drawn\nunset label 3\nunset label 4\nunset label 5\n";
   }

@@ -14,6 +14,7 @@ namespace {
 
 constexpr const char* system_name = "6in5W";
 constexpr std::array velocities{0.03, 0.04, 0.05, 0.06, 0.07};  ///< around minimum fluidisation [m/s]
+constexpr std::array colours{"#440154", "#3b528b", "#21918c", "#5ec962", "#d55e00"};
 
 std::vector<std::string> needs(const Profile& profile) {
   return select_run_keys(profile, [](const RunSpec& spec) {

@@ -23,9 +23,9 @@ struct Model {
   const char *law, *title, *colour;
   int point_type;
 };
-constexpr std::array models{Model{"kunii-levenspiel-1969", "Kunii & Levenspiel", "law_four", 8},
+constexpr std::array models{Model{"kunii-levenspiel-1969", "Kunii, Levenspiel", "law_four", 8},
                             Model{"di-felice-1991", "Di Felice", "law_two", 12},
-                            Model{"kennedy-bretton-1966", "Kennedy & Bretton", "law_three", 10},
+                            Model{"kennedy-bretton-1966", "Kennedy, Bretton", "law_three", 10},
                             Model{"joshi-1983-reconstruction", "Joshi (reconstructed)", "law_one", 4},
                             Model{"van-der-wielen-1996", "van der Wielen", "quiet", 14}};
 
@@ -37,7 +37,7 @@ FigureOutput draw(const FigureContext& context) {
       "Classification velocity of the 6 mm steel sphere in 5 mm glass: six correlations and our simulation against the "
       "paper's own simulation (Table 2), at the same superficial velocity. The paper compares with measurements, which "
       "are lost: its 18 simulated values stand in for them, so this plot shows how far models and simulations are "
-      "from each other, not from the truth. Grey band: Grbavčić's model over all values of the transition function "
+      "from each other, not from the truth. Grey bars: Grbavčić's model over all values of the transition function "
       "that "
       "is not available. Joshi's model is reconstructed. Solid: equality; dashed and dotted: 10 and 20 %. Filled "
       "symbols: "
@@ -86,9 +86,10 @@ FigureOutput draw(const FigureContext& context) {
   }
   const std::string script =
       "set key tmargin left vertical maxrows 6 Left reverse font ',11'\nset xrange [0.05:0.45]\nset yrange [0:0.8]\n"
-      "set xtics 0.1\nset ytics 0.1\nset style fill solid 0.12 noborder\n"
+      "set xtics 0.1\nset ytics 0.1\n"
       "set xlabel 'V_2 simulated by the paper [m/s]'\nset ylabel 'V_2 predicted [m/s]'\n"
-      "plot 'fig11_laws.csv' skip 1 using 2:8:9 with filledcurves linecolor rgb quiet title 'Grbavčić, f from 0 to 1', "
+      "plot 'fig11_laws.csv' skip 1 using 2:8:8:9 with yerrorbars linecolor rgb '#c3c9d0' linewidth 2.5 pointsize 0 "
+      "title 'Grbavčić, f from 0 to 1', "
       "x with lines linecolor rgb paper linewidth 1.2 title 'equality', 0.9*x with lines linestyle 1 linewidth 1 title "
       "'10 "
       "%', 1.1*x with lines linestyle 1 linewidth 1 notitle, 0.8*x with lines linestyle 20 linecolor rgb paper title "

@@ -47,7 +47,7 @@ FigureOutput draw(const FigureContext& context) {
       "farther behind it paler. Red line: the path of its centre so far, seen from the same side. The caption of the "
       "paper's "
       "figure gives 0.65 for its third panel, its text 0.79.";
-  const double width_of_panel = 0.25, pitch = 0.295, left = 0.13;
+  const double width_of_panel = 0.205, pitch = 0.295, left = 0.13;
   const int width = 560;
   const int height_of_panel = static_cast<int>(width_of_panel * width * panel_height / 0.05);
   std::string script = fmt::format(

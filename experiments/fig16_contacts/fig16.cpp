@@ -46,13 +46,13 @@ FigureOutput draw(const FigureContext& context) {
       "set multiplot\nset lmargin at screen 0.13\nset rmargin at screen 0.97\nset xrange [0.42:0.86]\nset xtics 0.1\n"
       "middle = base + 0.5*(1 - base)\n"
       "set tmargin at screen 1 - 12.0/height\nset bmargin at screen middle + 22.0/height\nset format x ''\n"
-      "set logscale y\nset yrange [0.02:10]\nset ylabel 'mean number of contacts [-]' offset 0.5,0\n"
+      "set logscale y\nset yrange [0.02:10]\nset ylabel 'mean contacts [-]' offset 0.5,0\n"
       "set key top right Left reverse font ',12'\n"
       "plot 'fig16_paper.csv' skip 1 using 1:2 with points linestyle 1 dashtype 1 title 'paper, printed'" +
       simulated[0] +
       "\neval footer_drawn\nset tmargin at screen middle - 2.0/height\nset bmargin at screen base + 60.0/height\n"
       "set format x '%g'\nset xlabel 'voidage α_L [-]'\nunset logscale y\nset yrange [0:10]\nset ytics 2\n"
-      "set ylabel 'most contacts at once [-]' offset 0.5,0\nunset key\n"
+      "set ylabel 'most contacts [-]' offset 0.5,0\nunset key\n"
       "plot 'fig16_paper.csv' skip 1 using 1:3 with points linestyle 1 dashtype 1" +
       simulated[1] + "\nunset multiplot\n";
   draw_figure_of_runs("fig16", script, {520, 620}, context, keys);

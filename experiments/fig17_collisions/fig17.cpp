@@ -27,14 +27,13 @@ constexpr std::array substitutes{Substitute{"5in5W", "0.20", "5 in 5 mm, water, 
 constexpr double window_begin = 1.0, window_end = 1.1;  ///< of the paper's time axis, from the release [s]
 
 std::vector<std::string> needs(const Profile& profile) {
-  for (const Substitute& substitute : substitutes) {
-    const auto keys = select_run_keys(profile, [&](const RunSpec& spec) {
-      return spec.variant.empty() && spec.system == substitute.system &&
-             fmt::format("{:.2f}", spec.superficial_velocity) == substitute.velocity;
-    });
-    if (!keys.empty()) return keys;
-  }
-  return {};
+  return select_run_keys(profile, [](const RunSpec& spec) {
+    return spec.variant.empty() &&
+           std::any_of(substitutes.begin(), substitutes.end(), [&](const Substitute& substitute) {
+             return spec.system == substitute.system &&
+                    fmt::format("{:.2f}", spec.superficial_velocity) == substitute.velocity;
+           });
+  });
 }
 
 /// Voidage of the bed of 5 mm glass in the NaI solution; not a number where the law keeps no bed in the column.

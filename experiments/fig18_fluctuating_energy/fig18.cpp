@@ -46,7 +46,7 @@ FigureOutput draw(const FigureContext& context) {
   }
   const std::string script =
       "set key tmargin left vertical maxrows 6 Left reverse font ',12'\nset xrange [0.2:0.6]\nset logscale y\n"
-      "set yrange [3e-4:3e-2]\nset format y '10^{%L}'\nset xlabel 'solid fraction α_S [-]'\n"
+      "set yrange [1e-4:3e-2]\nset format y '10^{%L}'\nset xlabel 'solid fraction α_S [-]'\n"
       "set ylabel 'fluctuating kinetic energy q_p^2 [m²/s²]'\nset style fill solid 0.1 noborder\n"
       "plot 'fig18_paper_axis.csv' skip 1 using 1:2:3 with filledcurves linecolor rgb paper title 'axis of the paper', "
       "'' skip 1 using 1:2 with lines linestyle 1 linewidth 0.8 notitle, '' skip 1 using 1:3 with lines linestyle 1 "

@@ -95,11 +95,16 @@ FigureOutput draw(const FigureContext& context) {
     script += fmt::format(
         "set lmargin at screen left + {0}*(wide + 0.03)\nset rmargin at screen left + {0}*(wide + 0.03) + wide\n"
         "set tmargin at screen top - {1}*(high + gap_y)\nset bmargin at screen top - {1}*(high + gap_y) - high\n"
-        "set title 'U_L = {2} m/s, α_L = {3:.2f} (paper), {4} (ours)' font ',12' offset 0,-0.7\n"
-        "set label 1 '{5}' at graph 0.5, 0.6 center font ',12' textcolor rgb quiet\nset xrange [0:{6:.3f}]\n{7}\n{8}\n",
+        "set title 'U_L = {2} m/s, α_L {3:.2f} (paper), {4} (ours)' font ',11' offset 0,-0.7\n"
+        "set label 1 '{5}' at graph 0.5, 0.6 center font ',12' textcolor rgb quiet\nset xrange [0:{6:.3f}]\nset xtics "
+        "{9:g}\n{7}\n{8}\n",
         column, row, tag, panel.voidage, ours, plot.empty() ? "not yet simulated" : "", end,
         column == 0 ? "set format y '%g'\nset ylabel '|F_c|/mg [-]' offset 0.8,0" : "set format y ''\nunset ylabel",
-        row == 2 ? "set xlabel 'time since entering the bed [s]' offset 0,0.4" : "unset xlabel");
+        row == 2 ? "set xlabel 'time since entering the bed [s]' offset 0,0.4" : "unset xlabel",
+        end > 5.0   ? 5.0
+        : end > 2.0 ? 1.0
+        : end > 1.0 ? 0.5
+                    : 0.2);
     script +=
         fmt::format("plot {:g} with lines linestyle 1 linewidth 0.8, {:g} with lines linestyle 1 linewidth 0.8{}\n",
                     printed.value("peak_force_lowest"), printed.value("peak_force_highest"), plot);

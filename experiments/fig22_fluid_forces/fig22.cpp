@@ -72,7 +72,7 @@ FigureOutput draw(const FigureContext& context) {
       drag +
       "\neval footer_drawn\nset tmargin at screen middle - 2.0/height\nset bmargin at screen base + 60.0/height\n"
       "set format x '%g'\nset xlabel 'voidage α_L [-]'\nset yrange [0:0.3]\nset ytics 0.1\n"
-      "set ylabel 'pressure-gradient force\\nover weight [-]' offset 0.5,0\nset key bottom left Left reverse\n"
+      "set ylabel 'pressure gradient over weight [-]' offset 0.5,0\nset key bottom left Left reverse\n"
       "plot 'fig22_pressure_gradient.csv' skip 1 using 1:3 with lines linestyle 13 title 'homogeneous bed, "
       "ρ_M/ρ_{P2}', "
       "'' skip 1 using 1:2 with lines linestyle 14 title 'clear liquid, ρ_L/ρ_{P2}', "

@@ -57,7 +57,7 @@ FigureOutput draw(const FigureContext& context) {
   const std::string simulated = plot_variants_against_bed("collision_to_drag_ratio", "collision force over drag [-]",
                                                           system_name, BedAbscissa::voidage, context, output);
   const std::string script = fmt::format(
-      "set key tmargin left vertical maxrows 7 Left reverse font ',12'\nset xrange [0.42:0.86]\nset yrange [0:11]\n"
+      "set key tmargin left vertical maxrows 7 Left reverse font ',12'\nset xrange [0.42:0.86]\nset yrange [0:12]\n"
       "set ytics 2\nset xlabel 'voidage α_L [-]'\nset ylabel 'collision force over drag, |F_c|/|F_d| [-]'\n"
       "plot {:g} with lines linestyle 1 title 'paper, largest ratio', 1 with lines linestyle 20 notitle, "
       "'fig23_laws.csv' skip 1 using 1:2 with lines linestyle 11 title 'Eq. 40 over Gidaspow, mean field', "

@@ -58,7 +58,7 @@ FigureOutput draw(const FigureContext& context) {
   const std::string script =
       "set key tmargin left vertical maxrows 6 Left reverse font ',12'\nset xrange [0.4:1]\nset yrange [0:1.25]\n"
       "set ytics 0.25\nset xlabel 'voidage α_L [-]'\nset ylabel 'collision force over weight, |F_c|/mg [-]'\n"
-      "set style fill solid 0.08 noborder\n"
+      "set style fill transparent solid 0.09 noborder\n"
       "plot 'fig24_equation_40.csv' skip 1 using 1:5:6 with filledcurves linecolor rgb paper notitle, "
       "'' skip 1 using 1:3:4 with filledcurves linecolor rgb paper notitle, "
       "'' skip 1 using 1:2 with lines linestyle 1 title 'paper, Eq. 40, with 10 and 20 %'" +

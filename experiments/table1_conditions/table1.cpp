@@ -52,7 +52,10 @@ const std::vector<Condition>& conditions() {
 }
 
 /// Few digits, and no exponent where it would not help.
-std::string compact(double value) { return std::isnan(value) ? "–" : fmt::format("{:.4g}", value); }
+std::string compact(double value) {
+  if (std::isnan(value)) return "–";
+  return std::fabs(value) < 1e4 ? fmt::format("{:.4g}", value) : fmt::format("{:.0f}", value);
+}
 
 FigureOutput draw(const FigureContext& context) {
   const Scene scene = load_scene(std::filesystem::path(SLFB_SOURCE_DIR) / "experiments" / "scenes" / "6in5W.toml", {});
@@ -76,12 +79,12 @@ FigureOutput draw(const FigureContext& context) {
     table.rows.push_back({static_cast<double>(rows.size()), printed.value, ours, needed});
   }
   output.data.push_back(write_csv(table, context.out));
-  constexpr int width = 640;
+  constexpr int width = 690;
   const std::vector<TableColumn> columns{{"condition", 20, true},
                                          {"unit", 250, true, "'#56606d'"},
-                                         {"paper,\nTable 1", 400},
+                                         {"paper,\nTable 1", 410},
                                          {"here,\n6in5W", 500, false, "ours"},
-                                         {"needed by other\nnumbers of the paper", 622, false, "law_one"}};
+                                         {"other numbers of\nthe paper give", 672, false, "law_one"}};
   draw_figure("table1", table_commands(columns, rows, width), {width, table_height(rows.size())}, context.out);
   return output;
 }
