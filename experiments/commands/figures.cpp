@@ -100,7 +100,7 @@ int make_figures(const Options& options) {
   if (options.publish) publish(profile, options.out);
 
   const auto runs = finished_runs(profile, options.out);
-  Measurements measurements = measure_laws();
+  Measurements measurements = measure_without_runs();
   measurements.merge(measure_runs(runs));
 
   // Every figure is drawn, also when only some were named: it takes seconds, and the report stays complete.
