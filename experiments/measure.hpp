@@ -43,4 +43,7 @@ Measurements measure_runs(const std::vector<FinishedRun>& runs);
 /// Everything that follows from the literature laws and the reference data alone ("quantity/what").
 Measurements measure_laws();
 
+/// All that needs no simulated bed: measure_laws and measure_probes.
+Measurements measure_without_runs();
+
 }  // namespace slfb

@@ -25,6 +25,7 @@
 #include "correlations/fluidisation/bed_expansion.hpp"
 #include "correlations/fluidisation/minimum_fluidisation/doroodchi_2012.hpp"
 #include "correlations/fluidisation/terminal_velocity.hpp"
+#include "experiments/probes.hpp"
 #include "experiments/measure.hpp"
 #include "experiments/paper_conditions.hpp"
 #include "solver/coupling/void_fraction.hpp"
@@ -323,5 +324,11 @@ class LawMeasurements {
 }  // namespace
 
 Measurements measure_laws() { return LawMeasurements().take(); }
+
+Measurements measure_without_runs() {
+  Measurements measurements = measure_laws();
+  measurements.merge(measure_probes());
+  return measurements;
+}
 
 }  // namespace slfb

@@ -100,7 +100,7 @@ int make_figures(const Options& options) {
 
   const Profile shown = with_full_runs(profile);
   const auto runs = finished_runs(shown, options.out);
-  Measurements measurements = measure_laws();
+  Measurements measurements = measure_without_runs();
   measurements.merge(measure_runs(runs));
 
   // Every figure is drawn, also when only some were named: it takes seconds, and the report stays complete.

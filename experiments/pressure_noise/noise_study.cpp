@@ -85,7 +85,7 @@ const std::vector<Method>& methods() {
 Scene study_scene() {
   Scene scene;
   scene.geometry.diameter = 0.05;
-  scene.geometry.height = 0.4;
+  scene.geometry.height = 0.6;
   scene.liquid = {998.2, 1e-3, 0.10};
   scene.fluid.cells_across = 8;
   scene.fluid.cell_height = 0.00625;

@@ -70,7 +70,7 @@ struct Drawn {
 Drawn draw_all(bool with_runs, const fs::path& folder) {
   Drawn drawn;
   if (with_runs) drawn.runs = synthetic::runs(drawn.profile);
-  drawn.measurements = measure_laws();
+  drawn.measurements = measure_without_runs();
   drawn.measurements.merge(measure_runs(drawn.runs));
   for (const auto& figure : figures())
     drawn.outputs.push_back(figure.draw({drawn.profile, drawn.runs, drawn.measurements, folder, folder}));
