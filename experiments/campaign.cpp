@@ -2,37 +2,63 @@
 
 #include <spdlog/spdlog.h>
 
+#include <optional>
 #include <stdexcept>
+#include <utility>
 
 #include "experiments/run_files.hpp"
 
 namespace slfb {
 
+namespace {
+
+std::optional<FinishedRun> own_run(const RunSpec& spec, const Scene& scene, const std::filesystem::path& out) {
+  const auto file = result_file(out, scene_hash(scene));
+  if (!std::filesystem::exists(file)) return std::nullopt;
+  return FinishedRun{spec, scene, load_result(file), false, false, {}};
+}
+
+std::optional<FinishedRun> published_run(const RunSpec& spec, const Scene& scene) {
+  const auto file = published_file(spec);
+  if (!std::filesystem::exists(file)) return std::nullopt;
+  FinishedRun run{spec, scene, {}, true, false, {}};
+  try {
+    run.result = load_result(file);
+    if (const auto numbers = published_summary(spec); std::filesystem::exists(numbers))
+      run.summary = load_summary(numbers);
+  } catch (const std::runtime_error& error) {
+    // Written by an earlier version of the suite, it may lack what this one reads.
+    spdlog::warn("left out a published result: {}", error.what());
+    return std::nullopt;
+  }
+  run.stale = run.result.numerics != numerics_version || run.result.name != scene_hash(scene);
+  // An older result is analysed with the scene it was made from.
+  if (run.stale) run.scene = parse_scene(run.result.scene_text, file.string());
+  return run;
+}
+
+}  // namespace
+
 std::vector<FinishedRun> finished_runs(const Profile& profile, const std::filesystem::path& out) {
   std::vector<FinishedRun> runs;
   for (const RunSpec& spec : profile.runs) {
-    Scene scene = load_run_scene(spec);
-    const std::string hash = scene_hash(scene);
-    if (const auto own = result_file(out, hash); std::filesystem::exists(own)) {
-      runs.push_back({spec, std::move(scene), load_result(own), false, false, {}});
-    } else if (const auto committed = published_file(spec); std::filesystem::exists(committed)) {
-      RunResult result;
-      try {
-        result = load_result(committed);
-      } catch (const std::runtime_error& error) {
-        // Written by an earlier version of the suite, it may lack what this one reads.
-        spdlog::warn("left out a published result: {}", error.what());
-        continue;
-      }
-      const bool stale = result.numerics != numerics_version || result.name != hash;
-      // An older result is analysed with the scene it was made from.
-      if (stale) scene = parse_scene(result.scene_text, committed.string());
-      std::optional<RunSummary> summary;
-      if (const auto numbers = published_summary(spec); std::filesystem::exists(numbers))
-        summary = load_summary(numbers);
-      runs.push_back({spec, std::move(scene), std::move(result), true, stale, std::move(summary)});
-    }
+    const Scene scene = load_run_scene(spec);
+    auto run = own_run(spec, scene, out);
+    if (!run) run = published_run(spec, scene);
+    if (run) runs.push_back(std::move(*run));
   }
+  return runs;
+}
+
+std::vector<FinishedRun> own_runs(std::vector<FinishedRun> runs, const std::string& profile) {
+  std::erase_if(runs, [&](const FinishedRun& run) { return run.published || run.spec.profile != profile; });
+  return runs;
+}
+
+std::vector<FinishedRun> published_runs(const Profile& profile) {
+  std::vector<FinishedRun> runs;
+  for (const RunSpec& spec : profile.runs)
+    if (auto run = published_run(spec, load_run_scene(spec)); run && !run->stale) runs.push_back(std::move(*run));
   return runs;
 }
 

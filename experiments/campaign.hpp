@@ -48,4 +48,11 @@ struct FinishedRun {
 /// Finished runs of a profile: first this machine's (`out`/runs), then the committed ones (reports/published/runs).
 std::vector<FinishedRun> finished_runs(const Profile& profile, const std::filesystem::path& out);
 
+/// Those of `runs` that this machine made for the profile.
+std::vector<FinishedRun> own_runs(std::vector<FinishedRun> runs, const std::string& profile);
+
+/// The committed runs of a profile alone, those of an older numerics version left out: what a machine's own have to
+/// agree with.
+std::vector<FinishedRun> published_runs(const Profile& profile);
+
 }  // namespace slfb

@@ -1,6 +1,7 @@
 #include "experiments/claims.hpp"
 
 #include <fmt/format.h>
+#include <gsl/gsl_cdf.h>
 #include <toml++/toml.h>
 
 #include <algorithm>
@@ -382,11 +383,57 @@ Evaluation evaluate_claim(const Claim& claim, const Measurements& measurements) 
   return evaluation;
 }
 
+/// A mean with its standard error and degrees of freedom, from its 95 % interval.
+struct Mean {
+  double value, error, freedom;
+};
+
+std::optional<Mean> mean_of(const Measurements& measurements, const std::string& key) {
+  const auto found = measurements.find(key);
+  if (found == measurements.end() || !(found->second.half_width >= 0.0) || found->second.samples < 2)
+    return std::nullopt;
+  const double freedom = static_cast<double>(found->second.samples) - 1.0;
+  return Mean{found->second.value, found->second.half_width / gsl_cdf_tdist_Pinv(0.975, freedom), freedom};
+}
+
+/// |a − b| over what chance allows with probability 1 − `level` (Welch 1947, Biometrika 34, 28).
+double difference_over_chance(const Mean& a, const Mean& b, double level) {
+  const double variance = a.error * a.error + b.error * b.error;
+  // Rounding alone, where neither has a spread (counts that are all the same).
+  if (!(variance > 0.0)) return std::abs(a.value - b.value) > 1e-9 * std::abs(a.value) ? 2.0 : 0.0;
+  const double freedom = variance * variance / (std::pow(a.error, 4) / a.freedom + std::pow(b.error, 4) / b.freedom);
+  return std::abs(a.value - b.value) / (std::sqrt(variance) * gsl_cdf_tdist_Qinv(0.5 * level, freedom));
+}
+
 nlohmann::ordered_json number_or_null(double value) {
   return std::isfinite(value) ? nlohmann::ordered_json(value) : nlohmann::ordered_json(nullptr);
 }
 
 }  // namespace
+
+void judge_run_gates(std::vector<Evaluation>& evaluations, const Measurements& fresh, const Measurements& accepted) {
+  constexpr double false_alarms = 1e-3;  // of all gates together
+  std::set<std::string> tested;
+  const auto keys_of = [&](const Evaluation& evaluation) {
+    std::vector<std::string> keys;
+    if (evaluation.claim.regression_band) return keys;
+    for (const std::string& measure : evaluation.claim.measures)
+      for (const std::string& key : expand(measure, fresh))
+        if (needs_run(key) && mean_of(fresh, key) && mean_of(accepted, key)) keys.push_back(key);
+    return keys;
+  };
+  for (const Evaluation& evaluation : evaluations)
+    for (std::string& key : keys_of(evaluation)) tested.insert(std::move(key));
+  for (Evaluation& evaluation : evaluations)
+    for (const std::string& key : keys_of(evaluation)) {
+      if (evaluation.gate == Gate::none) evaluation.gate = Gate::holds;
+      const Mean ours = *mean_of(fresh, key), theirs = *mean_of(accepted, key);
+      if (difference_over_chance(ours, theirs, false_alarms / static_cast<double>(tested.size())) <= 1.0) continue;
+      evaluation.gate = Gate::broken;
+      evaluation.reason += fmt::format("; {} is {:.6g} here and {:.6g} in the published runs, more than chance allows",
+                                       key, ours.value, theirs.value);
+    }
+}
 
 std::string_view to_string(Verdict verdict) {
   switch (verdict) {

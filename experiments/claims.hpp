@@ -80,6 +80,12 @@ std::vector<Claim> load_claims(const std::filesystem::path& file);
 /// Verdict and gate of each claim by the rules of reference-data/README.md.
 std::vector<Evaluation> evaluate(const std::vector<Claim>& claims, const Measurements& measurements);
 
+/// Gates of the claims that rest on simulations and have no band of their own: this machine's measurements (`fresh`)
+/// against the committed ones (`accepted`). A gate breaks when a measure of its claim differs by more than chance
+/// allows: Welch's t-test of the two means, at a level that lets all gates together raise a false alarm once in a
+/// thousand times. Without a fresh or an accepted measurement, or with a single sample, there is no gate.
+void judge_run_gates(std::vector<Evaluation>& evaluations, const Measurements& fresh, const Measurements& accepted);
+
 /// How many of each verdict and gate.
 struct ClaimCounts {
   std::size_t reproduced = 0, not_reproduced = 0, not_decidable = 0;

@@ -25,9 +25,9 @@
 #include "correlations/fluidisation/bed_expansion.hpp"
 #include "correlations/fluidisation/minimum_fluidisation/doroodchi_2012.hpp"
 #include "correlations/fluidisation/terminal_velocity.hpp"
-#include "experiments/probes.hpp"
 #include "experiments/measure.hpp"
 #include "experiments/paper_conditions.hpp"
+#include "experiments/probes.hpp"
 #include "solver/coupling/void_fraction.hpp"
 
 namespace slfb {

@@ -132,8 +132,11 @@ void write_file(const std::filesystem::path& file, const std::string& text) {
 int check(const Options& options, bool json) {
   const std::vector<Claim> claims = choose(load_claims(), options.ids);
   Measurements measurements = measure_without_runs();
-  measurements.merge(measure_runs(finished_runs(with_full_runs(load_profile(options.profile)), options.out)));
-  const auto evaluations = evaluate(claims, measurements);
+  const Profile profile = load_profile(options.profile);
+  const auto runs = finished_runs(with_full_runs(profile), options.out);
+  measurements.merge(measure_runs(runs));
+  auto evaluations = evaluate(claims, measurements);
+  judge_run_gates(evaluations, measure_runs(own_runs(runs, profile.name)), measure_runs(published_runs(profile)));
 
   const bool json_to_stdout = json && options.json == "-";
   if (json_to_stdout) {

@@ -110,7 +110,8 @@ int make_figures(const Options& options) {
   for (const auto& figure : figures())
     outputs.push_back(figure.draw({shown, runs, measurements, figures_folder, options.out}));
 
-  const auto evaluations = evaluate(load_claims(), measurements);
+  auto evaluations = evaluate(load_claims(), measurements);
+  judge_run_gates(evaluations, measure_runs(own_runs(runs, profile.name)), measure_runs(published_runs(profile)));
   const auto report_folder = options.out / "report";
   write_report({profile, shown, runs, outputs, evaluations, inconsistencies()}, figures_folder, report_folder);
 

@@ -42,12 +42,12 @@ INSTANTIATE_TEST_SUITE_P(
     Scene, PlantedError,
     testing::Values(Planted{"RestitutionHalfAPercent", "contact.restitution=0.8955", "table1.restitution"},
                     Planted{"FrictionOnePercent", "contact.sliding_friction=0.297", "table1.sliding_friction"},
-                    Planted{"DensityHalfAPercent", "species[0].density=2241 kg/m3", "eq24.terminal_velocity"},
+                    Planted{"DensityHalfAPercent", "species[0].density=2241 kg/m3", "text.terminal_velocity"},
                     Planted{"StepTenPercent", "contact.time_step=4.5454545454545e-5", "table1.restitution"},
                     Planted{"StiffnessTenPercent", "contact.stiffness=1.1e4", "table1.restitution"},
-                    Planted{"ViscosityOnePercent", "liquid.viscosity=1.01e-3", "eq23.frozen_bed"},
+                    Planted{"ViscosityOnePercent", "liquid.viscosity=1.01e-3", "text.frozen_bed"},
                     // The weight that a wrong sign in the buoyancy gives: (ρ_P + ρ_L) V g.
-                    Planted{"SignOfBuoyancy", "species[0].density=4226.4 kg/m3", "eq24.terminal_velocity"}),
+                    Planted{"SignOfBuoyancy", "species[0].density=4226.4 kg/m3", "text.terminal_velocity"}),
     [](const auto& planted) { return planted.param.name; });
 
 // One coefficient of the drag law off by a hundredth: 150 of Ergun's, 24 of the single sphere's.
@@ -81,8 +81,8 @@ SLFB_DRAG_LAW(Planted)
 }
 
 INSTANTIATE_TEST_SUITE_P(Law, PlantedCoefficient,
-                         testing::Values(std::pair{"Ergun", "eq23.frozen_bed"},
-                                         std::pair{"SingleSphere", "eq24.terminal_velocity"}));
+                         testing::Values(std::pair{"Ergun", "text.frozen_bed"},
+                                         std::pair{"SingleSphere", "text.terminal_velocity"}));
 
 }  // namespace
 }  // namespace slfb

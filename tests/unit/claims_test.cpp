@@ -9,11 +9,13 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 #include <pugixml.hpp>
+#include <random>
 #include <regex>
 #include <set>
 #include <string>
 #include <vector>
 
+#include "experiments/analysis.hpp"
 #include "experiments/measure.hpp"
 #include "experiments/reference_data.hpp"
 
@@ -70,7 +72,7 @@ TEST(Claims, ThereAreAtLeastSixtyWithUniqueIdsUnitsAndSources) {
 }
 
 TEST(Claims, MeasureKeysAreWellFormed) {
-  const std::regex of_run("[a-z0-9_]+/[3-6]in[3-6][WN](/([0-9]\\.[0-9]{2}(/[a-z0-9-]+)?|\\*))?");
+  const std::regex of_run("[a-z0-9_]+/(all|[3-6]in[3-6][WN](/([0-9]\\.[0-9]{2}(/[a-z0-9-]+)?|\\*))?)");
   const std::regex of_law("[a-z0-9_]+/[a-z0-9.-]+(/[a-z0-9.-]+)?");
   for (const Claim& claim : load_claims()) {
     for (const std::string& key : claim.measures) {
@@ -319,6 +321,54 @@ TEST(ClaimFile, MistakesAreNamedWithLineAndClaim) {
             std::string::npos);
   const std::string whole = head + value + band + measure;
   EXPECT_NE(error_of(whole + whole).find("occurs twice"), std::string::npos);
+}
+
+/// The claim on V_2 at 0.06 m/s, judged with `ours` against `published` drops.
+Evaluation gate_of_drops(const std::vector<double>& ours, const std::vector<double>& published) {
+  const auto measured = [](const std::vector<double>& drops) {
+    const ReplicateEstimate e = estimate_replicates(drops);
+    return Measurements{{"classification_velocity/6in5W/0.06", {e.mean, e.half_width, e.samples, "m/s", "a run"}}};
+  };
+  std::vector<Claim> claims = load_claims();
+  std::erase_if(claims, [](const Claim& claim) { return claim.id != "table2.classification_velocity_0.06"; });
+  auto evaluations = evaluate(claims, measured(ours));
+  judge_run_gates(evaluations, measured(ours), measured(published));
+  return evaluations.at(0);
+}
+
+TEST(RunGates, HoldForTheSameRunsAndBreakForOthers) {
+  EXPECT_EQ(gate_of_drops({0.10, 0.11, 0.12}, {0.10, 0.11, 0.12}).gate, Gate::holds);
+  EXPECT_EQ(gate_of_drops({0.10, 0.11, 0.12}, {0.115, 0.10, 0.105, 0.12}).gate, Gate::holds);
+  const Evaluation broken = gate_of_drops({0.200, 0.201, 0.199, 0.2005, 0.1995}, {0.100, 0.101, 0.099, 0.1005, 0.0995});
+  EXPECT_EQ(broken.gate, Gate::broken);
+  EXPECT_NE(broken.reason.find("classification_velocity/6in5W/0.06 is 0.2 here and 0.1"), std::string::npos)
+      << broken.reason;
+  EXPECT_EQ(gate_of_drops({0.10}, {0.20, 0.21}).gate, Gate::none);
+}
+
+// Equal beds, three drops against five: a false alarm once in a thousand times, 20 of 20000 (the band is the 99.9 %
+// interval of a Poisson number of that mean).
+TEST(RunGates, RaiseAFalseAlarmOnceInAThousandTimes) {
+  std::mt19937 random(7);
+  std::normal_distribution<double> drop(0.1, 0.01);
+  int alarms = 0;
+  Measurements ours, published;
+  std::vector<Claim> claims = load_claims();
+  std::erase_if(claims, [](const Claim& claim) { return claim.id != "table2.classification_velocity_0.06"; });
+  const auto draw = [&](std::size_t samples) {
+    std::vector<double> drops(samples);
+    for (double& value : drops) value = drop(random);
+    const ReplicateEstimate e = estimate_replicates(drops);
+    return Measurements{{"classification_velocity/6in5W/0.06", {e.mean, e.half_width, e.samples, "m/s", "a run"}}};
+  };
+  for (int k = 0; k < 20000; ++k) {
+    std::vector<Evaluation> evaluations(1);
+    evaluations[0].claim = claims.at(0);
+    judge_run_gates(evaluations, draw(3), draw(5));
+    alarms += evaluations[0].gate == Gate::broken;
+  }
+  EXPECT_GE(alarms, 7);
+  EXPECT_LE(alarms, 37);
 }
 
 }  // namespace
