@@ -57,17 +57,21 @@ DataTable side_edges(const fluid::ColumnGrid& grid) {
   return table;
 }
 
-/// Centres of the squares whose part inside the wall belongs to a neighbour.
+/// What lies inside the wall of the squares that are joined to a neighbour, as upright strips: centre and half extents.
 DataTable joined_squares(const fluid::ColumnGrid& grid) {
-  DataTable table{"fig02_joined", {"x [m]", "y [m]"}, {}};
+  DataTable table{"fig02_joined", {"x [m]", "y [m]", "half width [m]", "half height [m]"}, {}};
+  constexpr int strips = 40;
+  const double width = grid.spacing(0) / strips;
   for (int iy = 0; iy < grid.squares(1); ++iy) {
     for (int ix = 0; ix < grid.squares(0); ++ix) {
-      const double x = grid.lower(0) + (ix + 0.5) * grid.spacing(0), y = grid.lower(1) + (iy + 0.5) * grid.spacing(1);
+      const double left = grid.lower(0) + ix * grid.spacing(0), lower = grid.lower(1) + iy * grid.spacing(1);
       const auto own = grid.centre(grid.cell_of_square(ix, iy));
-      const double area =
-          fluid::circle_rectangle_area(grid.radius(), x - 0.5 * grid.spacing(0), x + 0.5 * grid.spacing(0),
-                                       y - 0.5 * grid.spacing(1), y + 0.5 * grid.spacing(1));
-      if (area > 1e-12 && std::hypot(own[0] - x, own[1] - y) > 1e-9) table.rows.push_back({x, y});
+      if (std::hypot(own[0] - left - 0.5 * grid.spacing(0), own[1] - lower - 0.5 * grid.spacing(1)) < 1e-9) continue;
+      for (int strip = 0; strip < strips; ++strip) {
+        const double x = left + (strip + 0.5) * width;
+        const auto [from, to] = inside_wall(grid.radius(), x, lower, lower + grid.spacing(1));
+        if (to > from) table.rows.push_back({x, 0.5 * (from + to), 0.5 * width, 0.5 * (to - from)});
+      }
     }
   }
   return table;
@@ -108,7 +112,7 @@ FigureOutput draw(const FigureContext& context) {
       "set object 2 rectangle from -{radius:g}, 0 to {radius:g}, {part:g} fillcolor rgb ours fillstyle solid 0.2 "
       "noborder\n"
       "set arrow 1 from 52, 0 to 52, {column:g} heads size 12,20 linecolor rgb quiet\n"
-      "set label 1 '{column:g} mm' at 62, {middle:g} rotate by 90 center font ',11'\n"
+      "set label 1 '{column:g} mm' at 88, {middle:g} rotate by 90 center font ',11'\n"
       "do for [i=-1:1] {{ set arrow 5+i from i*16, -40 to i*16, -4 head size 14,20 linecolor rgb ours }}\n"
       "plot NaN\nunset object 1\nunset object 2\nunset arrow\nunset label 1\n"
       "set lmargin at screen 0.17\nset rmargin at screen 0.42\nset title 'plane y = 0, lowest {part:g} mm'\n"
@@ -124,7 +128,7 @@ FigureOutput draw(const FigureContext& context) {
       "set label 4 '{glass_mm:g} mm' at 9, -5 center font ',11' textcolor rgb ours front\n"
       "set arrow 2 from -{radius:g}, -29 to {radius:g}, -29 heads size 1.2,20 linecolor rgb quiet\n"
       "set label 2 '{diameter:g} mm' at 0, -32 center font ',11'\n"
-      "plot '{joined}.csv' skip 1 using (mm*$1):(mm*$2):({half:g}):({half:g}) with boxxyerror linecolor rgb law_three, "
+      "plot '{joined}.csv' skip 1 using (mm*$1):(mm*$2):(mm*$3):(mm*$4) with boxxyerror linecolor rgb law_three, "
       "'{section}.csv' skip 1 using (mm*$1):(mm*$2):(mm*$3):(mm*$4) with vectors nohead linecolor rgb '#5b6470' "
       "linewidth "
       "0.9, {radius:g}*cos(t), {radius:g}*sin(t) with lines linecolor rgb '#14181d' linewidth 1.8\nunset multiplot\n",
@@ -132,9 +136,9 @@ FigureOutput draw(const FigureContext& context) {
       fmt::arg("column", 1e3 * grid.column_height()), fmt::arg("height", 1e3 * grid.column_height() + 20.0),
       fmt::arg("middle", 500.0 * grid.column_height()), fmt::arg("part", 1e3 * part_height),
       fmt::arg("part_top", 1e3 * part_height + 4.0), fmt::arg("side", side.name), fmt::arg("section", section.name),
-      fmt::arg("joined", joined.name), fmt::arg("half", 500.0 * grid.spacing(0)),
-      fmt::arg("steel", 500.0 * species[1].diameter), fmt::arg("glass", 500.0 * species[0].diameter),
-      fmt::arg("steel_mm", 1e3 * species[1].diameter), fmt::arg("glass_mm", 1e3 * species[0].diameter));
+      fmt::arg("joined", joined.name), fmt::arg("steel", 500.0 * species[1].diameter),
+      fmt::arg("glass", 500.0 * species[0].diameter), fmt::arg("steel_mm", 1e3 * species[1].diameter),
+      fmt::arg("glass_mm", 1e3 * species[0].diameter));
   draw_figure("fig02", script, canvas, context.out);
   return output;
 }

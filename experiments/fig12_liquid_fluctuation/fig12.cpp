@@ -46,14 +46,15 @@ FigureOutput draw(const FigureContext& context) {
       context.out));
   const std::string band =
       "'fig12_paper_axis.csv' skip 1 using 1:2:3 with filledcurves linecolor rgb paper fillstyle solid 0.08 noborder ";
+  const std::string missing =
+      vector.empty() ? "set label 1 'no run with this record yet' at graph 0.55, 0.5 font ',12' textcolor rgb quiet\n"
+                     : "";
   const std::string script =
-      std::string("set multiplot\nset lmargin at screen 0.145\nset rmargin at screen 0.97\nset xrange [0.4:0.9]\nset xtics 0.1\n"
+      "set multiplot\nset lmargin at screen 0.145\nset rmargin at screen 0.97\nset xrange [0.4:0.9]\nset xtics 0.1\n"
       "middle = base + 0.5*(1 - base)\nset yrange [0:0.12]\nset ytics 0.02\n"
       "set tmargin at screen 1 - 12.0/height\nset bmargin at screen middle + 22.0/height\nset format x ''\n"
-      "set ylabel \"u'_L, vector [m/s]\" offset 0.5,0\nset key top right Left reverse font ',12'\n") +
-      (vector.empty() ? "set label 1 'no run with this record yet' at graph 0.55, 0.5 font ',12' textcolor rgb quiet\n"
-                      : "") +
-      "plot " + band + "title 'sharp rise in the paper'" + vector +
+      "set ylabel \"u'_L, vector [m/s]\" offset 0.5,0\nset key top right Left reverse font ',12'\n" +
+      missing + "plot " + band + "title 'sharp rise in the paper'" + vector +
       "\neval footer_drawn\nset tmargin at screen middle - 2.0/height\nset bmargin at screen base + 60.0/height\n"
       "set format x '%g'\nset xlabel 'voidage α_L [-]'\nset ylabel \"u'_L, vertical [m/s]\" offset 0.5,0\n"
       "unset key\nplot " +
