@@ -20,19 +20,20 @@ namespace fs = std::filesystem;
 constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
 const std::vector<std::string> formats{"svg", "png"};
 
-/// ", 'ID.csv' … title 'LAW'" for a column per law, the first of them `first`, against column x; the styles of the
-/// laws.
-std::string lines_of(const std::string& id, int x, std::size_t first, std::size_t step,
+/// "'ID.csv' … title 'LAW'" for each law, the first in column `first` against `x`, the next `step` columns further
+/// (`x_step`: likewise for x). The first lines are the widest, so that those that lie on them leave an edge to be seen.
+std::string lines_of(const std::string& id, std::size_t x, std::size_t x_step, std::size_t first, std::size_t step,
                      const std::vector<ComparedContactLaw>& laws, bool titles) {
   std::string commands;
   for (std::size_t i = 0; i < laws.size(); ++i)
-    commands += fmt::format("{}'{}.csv' skip 1 using {}:{} with lines linestyle {} {}", i == 0 ? "" : ", ", id, x,
-                            first + i * step, line_style(i),
+    commands += fmt::format("{}'{}.csv' skip 1 using {}:{} with lines linestyle {} linewidth {} {}", i == 0 ? "" : ", ",
+                            id, x + i * x_step, first + i * step, line_style(i),
+                            2.0 + 2.0 * static_cast<double>(laws.size() - 1 - i),
                             titles ? "title " + gnuplot_text(laws[i].name) : std::string("notitle"));
   return commands;
 }
 
-constexpr const char* key_above = "set key at screen 0.5,0.99 center top horizontal maxrows 2 font ',12'\n";
+constexpr const char* key_above = "set key at screen 0.5,0.99 center top horizontal maxrows 1 font ',12'\n";
 
 Picture draw_collision(const std::vector<ComparedContactLaw>& laws, const std::vector<ContactFindings>& findings,
                        const fs::path& folder) {
@@ -45,7 +46,7 @@ Picture draw_collision(const std::vector<ComparedContactLaw>& laws, const std::v
     longest = std::max(longest, findings[i].usual.time.size());
   }
   constexpr std::size_t thinned = 8;  // a tenth of a pixel between the rows that are left
-  for (std::size_t k = 0; k < longest; k += thinned) {
+  for (std::size_t k = thinned / 2; k < longest; k += thinned) {
     std::vector<double> row;
     for (const ContactFindings& finding : findings) {
       const Rebound& rebound = finding.usual;
@@ -56,22 +57,14 @@ Picture draw_collision(const std::vector<ComparedContactLaw>& laws, const std::v
     table.rows.push_back(std::move(row));
   }
   write_csv(table, folder);
-  const auto lines = [&](std::size_t x, bool titles) {
-    std::string commands;
-    for (std::size_t i = 0; i < laws.size(); ++i)
-      commands += fmt::format("{}'{}.csv' skip 1 using {}:{} with lines linestyle {} {}", i == 0 ? "" : ", ", id,
-                              3 * i + x, 3 * i + 3, line_style(i),
-                              titles ? "title " + gnuplot_text(laws[i].name) : std::string("notitle"));
-    return commands;
-  };
   draw_figure(
       id,
       std::string("set multiplot layout 1,2\nset tmargin 4\nset ylabel 'normal force F_n [N]'\nset xlabel 'time "
                   "[ms]'\n") +
-          key_above + "plot 0 with lines linestyle 20 notitle, " + lines(1, true) +
+          key_above + "plot 0 with lines linestyle 20 notitle, " + lines_of(id, 1, 3, 3, 3, laws, true) +
           "\nunset key\nset xlabel 'overlap over effective radius, δ/R* [%]'\nplot 0 with lines linestyle 20 "
           "notitle, " +
-          lines(2, false) + "\nunset multiplot\n",
+          lines_of(id, 2, 3, 3, 3, laws, false) + "\nunset multiplot\n",
       {900, 380}, folder, formats);
   return {
       id, "One collision",
@@ -100,18 +93,22 @@ Picture draw_speeds(const std::vector<ComparedContactLaw>& laws, const std::vect
   write_csv(table, folder);
   std::string at_step;
   for (std::size_t i = 0; i < laws.size(); ++i)
-    at_step += fmt::format(", '{0}.csv' skip 1 using 1:{1}:{2}:{3} with yerrorbars linestyle {4} pointsize 0.5 notitle",
-                           id, 6 * i + 5, 6 * i + 6, 6 * i + 7, line_style(i));
+    at_step += fmt::format(  // side by side, for the bars of all are alike
+        ", '{0}.csv' skip 1 using ($1*{5:.3f}):{1}:{2}:{3} with yerrorbars linestyle {4} pointsize 0.6 linewidth 1 "
+        "notitle",
+        id, 6 * i + 5, 6 * i + 6, 6 * i + 7, line_style(i),
+        std::pow(1.1, static_cast<double>(i) - 0.5 * static_cast<double>(laws.size() - 1)));
   draw_figure(
       id,
       std::string(
           "set multiplot layout 1,3\nset tmargin 4\nset lmargin 8\nset logscale x\nset xrange [0.008:1.25]\nset "
           "format x '10^{%T}'\nset xtics 10\nset xlabel 'impact speed [m/s]'\nset ylabel 'restitution e "
-          "[-]'\nset yrange [*<0.8:1<*]\n") +
-          key_above + "plot " + lines_of(id, 1, 2, 6, laws, true) + at_step +
-          "\nunset key\nset yrange [0:*]\nset ylabel 'contact time [ms]'\nplot " + lines_of(id, 1, 3, 6, laws, false) +
+          "[-]'\nset yrange [*:*]\n") +
+          key_above + "plot " + lines_of(id, 1, 0, 2, 6, laws, true) + at_step +
+          "\nunset key\nset yrange [0:*]\nset ylabel 'contact time [ms]'\nplot " +
+          lines_of(id, 1, 0, 3, 6, laws, false) +
           "\nset logscale y\nset yrange [*:*]\nset format y '10^{%T}'\nset ylabel 'peak force [N]'\nplot " +
-          lines_of(id, 1, 4, 6, laws, false) + "\nunset multiplot\n",
+          lines_of(id, 1, 0, 4, 6, laws, false) + "\nunset multiplot\n",
       {960, 360}, folder, formats);
   return {
       id, "Restitution, contact time and peak force over the impact speed",
@@ -153,9 +150,9 @@ Picture draw_oblique(const std::vector<ComparedContactLaw>& laws, const std::vec
   draw_figure(id,
               std::string("set multiplot layout 1,2\nset tmargin 4\nset xrange [0:90]\nset xtics 15\nset xlabel 'angle "
                           "to the normal [°]'\nset ylabel \"tangential restitution v_t'/v_t [-]\"\n") +
-                  key_above + "plot " + exact(2, true) + lines_of(id, 1, 4, 2, laws, true) +
+                  key_above + "plot " + exact(2, true) + lines_of(id, 1, 0, 4, 2, laws, true) +
                   "\nunset key\nset ylabel \"spin rω'/v_n [-]\"\nplot " + exact(3, false) +
-                  lines_of(id, 1, 5, 2, laws, false) + "\nunset multiplot\n",
+                  lines_of(id, 1, 0, 5, 2, laws, false) + "\nunset multiplot\n",
               {900, 380}, folder, formats);
   return {
       id, "Oblique impact",
@@ -197,10 +194,10 @@ Picture draw_wet(const std::vector<ComparedContactLaw>& laws, const std::vector<
           "noborder behind\nset label 1 'no rebound' at {2},0.5 center rotate by 90 font ',11' textcolor rgb "
           "'#5b6470'\nset label 2 'dry value' at {3},0.5 center rotate by 90 font ',11' textcolor rgb "
           "'#5b6470'\nplot '{4}.csv' skip 1 using 2:3 with lines linestyle 11 title 'Legendre 2005', '' skip 1 "
-          "using 2:4 with lines linestyle 12 title 'Barnocky & Davis 1988', '{4}_measured.csv' skip 1 using "
+          "using 2:4 with lines linestyle 12 title 'Barnocky, Davis 1988', '{4}_measured.csv' skip 1 using "
           "1:2 with points linestyle 1 dashtype 1 title 'Gondret 2002, measured', {5}\n",
           limits.no_rebound_below, limits.dry_above, std::sqrt(3.0 * limits.no_rebound_below),
-          std::sqrt(1500.0 * limits.dry_above), id, lines_of(id, 2, 5, 1, laws, true)),
+          std::sqrt(1500.0 * limits.dry_above), id, lines_of(id, 2, 0, 5, 1, laws, true)),
       {600, 480}, folder, formats);
   return {id, "Bounce in the liquid",
           fmt::format(

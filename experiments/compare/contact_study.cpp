@@ -298,8 +298,11 @@ std::vector<ComparedContactLaw> compared_contact_laws(const std::vector<std::str
     std::istringstream parts(argument);
     std::string law;
     std::getline(parts, law, ':');
-    ComparedContactLaw compared{law, law, {"contact.law=" + law}, {}, find_contact_law(law)};
+    ComparedContactLaw compared;
+    compared.law = find_contact_law(law);
     compared.name = compared.law.info.name;
+    compared.argument = law;
+    compared.overrides = {"contact.law=" + law};
     bool has_modulus = false;
     for (std::string parameter; std::getline(parts, parameter, ':');) {
       if (parameter.find('=') == std::string::npos)

@@ -75,8 +75,11 @@ TEST(Collide, OfElasticSpheresIsHertzs) {
 
 // A rigid sphere that slides from start to end: Δv_t = μ (1 + e) v_n, and 5/2 of it as speed of the surface.
 TEST(Collide, AGrazingImpactIsThatOfARigidSphere) {
+  Contact hard = sound_contact();
+  hard.stiffness = 1e6;
+  hard.youngs_modulus = 8e9;
   for (const char* name : {"linear", "hertz"}) {
-    const ComparedContactLaw law = compared(name);
+    const ComparedContactLaw law = compared(name, hard);
     const Impact impact = oblique_impact(80.0);
     const Rebound rebound = resolved(law, impact);
     const double lost = 0.3 * (1.0 + rebound.restitution) * impact.speed;
@@ -85,8 +88,8 @@ TEST(Collide, AGrazingImpactIsThatOfARigidSphere) {
   }
 }
 
-// Lubrication alone: from h_0 to h_1 a sphere loses 6πμR²/m (ln(h_0/h_1) − 1 + h_1/h_0) of speed, at any speed; twice,
-// and the push through the overlap of a contact that is nearly rigid, there and back.
+// Lubrication from h_0 to the roughness h_1, and as strong as there until they touch, takes 6πμR²/m ln(h_0/h_1) of the
+// speed, whatever that is; there, and back. Between, a contact that is nearly rigid.
 TEST(WetRestitution, IsThatOfTheWorkOfLubrication) {
   Contact contact = sound_contact();
   contact.restitution = 1.0;
@@ -94,12 +97,13 @@ TEST(WetRestitution, IsThatOfTheWorkOfLubrication) {
   const ComparedContactLaw law = compared("linear", contact);
   const auto [outer, inner] = lubrication_gaps();
   const double mass = mass_of_glass(), factor = 6.0 * std::numbers::pi * paper::water().viscosity * 0.0025 * 0.0025;
-  const double way = factor / mass * (std::log(outer / inner) - 1.0 + inner / outer);
+  const double way = factor / mass * std::log(outer / inner);
   for (const double speed : {0.05, 0.3}) {
     const double slowed = speed - way;
     const double overlap = slowed * std::sqrt(mass / 1e6);
-    // Half a period of cosine: ∫ v dt through the contact and back is 2 δ.
-    const double parted = slowed - factor * (1.0 / inner - 1.0 / outer) / mass * 2.0 * overlap * std::numbers::pi / 4.0;
+    // Half a period of a weakly damped oscillator loses c v² π/(2 ω) of energy, ω = v/δ.
+    const double damping = factor * (1.0 / inner - 1.0 / outer);
+    const double parted = slowed - damping / mass * overlap * std::numbers::pi / 2.0;
     EXPECT_NEAR(wet_restitution(law, speed), (parted - way) / speed, 0.01) << speed;
   }
   EXPECT_EQ(wet_restitution(law, 0.8 * way), 0.0);
@@ -135,7 +139,7 @@ struct Nothing {
 };
 struct PushesWhileTheyPart {
   dem::NormalContact operator()(dem::NormalContact c, double overlap, double approach) const {
-    if (approach < 0.0) c.force = c.load = 1.1 * 1e3 * overlap;
+    if (approach < 0.0) c.force = c.load = 1.5 * 1e3 * overlap;
     return c;
   }
 };
@@ -198,8 +202,6 @@ TEST(ContactProperties, PlantedFaultsAreFound) {
   EXPECT_NE(std::ranges::find(step_at_touch, static_cast<int>(push)), step_at_touch.end());
 }
 
-// Eight steps per contact, as the slice of the bed has: Verlet and the corrected dashpot stay near the law, a textbook
-// dashpot with steps of 5e-4 s does not.
 TEST(ContactProperties, ACoarseStepIsFound) {
   ComparedContactLaw law = compared("linear");
   law.contact.time_step = 1e-4;
