@@ -23,9 +23,6 @@
 namespace slfb::noise {
 namespace {
 
-constexpr std::array schemes{std::pair{VoidFractionScheme::exact_overlap, "exact-overlap"},
-                             std::pair{VoidFractionScheme::particle_meshing, "particle-meshing"},
-                             std::pair{VoidFractionScheme::centroid, "centroid"}};
 constexpr std::array time_steps{1e-3, 5e-4, 2e-4, 1e-4};
 
 double section_area(const Scene& scene) {
@@ -76,8 +73,13 @@ std::string processor() {
 
 }  // namespace
 
-std::string name_of(VoidFractionScheme scheme) {
-  return std::find_if(schemes.begin(), schemes.end(), [&](const auto& s) { return s.first == scheme; })->second;
+const std::vector<Method>& methods() {
+  static const std::vector<Method> list{{"exact-overlap", VoidFractionScheme::exact_overlap, 0.0},
+                                        {"exact-overlap every 0.5 ms", VoidFractionScheme::exact_overlap, 5e-4},
+                                        {"exact-overlap every 1 ms", VoidFractionScheme::exact_overlap, 1e-3},
+                                        {"particle-meshing", VoidFractionScheme::particle_meshing, 0.0},
+                                        {"centroid", VoidFractionScheme::centroid, 0.0}};
+  return list;
 }
 
 Scene study_scene() {
@@ -106,19 +108,23 @@ dem::Particles fluidised(Scene scene, double seconds) {
 }
 
 NoisePoint measure(const Scene& scene, const dem::Particles& start, double transient, double seconds) {
-  Bed bed(scene, start);
-  bed.advance(transient, [] {});
-  std::vector<double> signal;
-  bed.advance(seconds, [&] { signal.push_back(bed.liquid.inlet_pressure()); });
-  const auto n = static_cast<double>(signal.size());
   NoisePoint point{};
-  point.scheme = scene.coupling.void_fraction;
+  std::vector<double> signal;
+  try {
+    Bed bed(scene, start);
+    bed.advance(transient, [] {});
+    bed.advance(seconds, [&] { signal.push_back(bed.liquid.inlet_pressure()); });
+  } catch (const std::runtime_error& error) {
+    point.failure = error.what();
+  }
+  const auto n = static_cast<double>(signal.size());
   point.time_step = scene.fluid.time_step;
   point.seconds = seconds;
-  point.mean = std::accumulate(signal.begin(), signal.end(), 0.0) / n;
   const Species& species = scene.species.front();
   point.bed_weight = static_cast<double>(start.size()) * (species.density - scene.liquid.density) * gravity *
                      dem::Particles::volume_of(0.5 * species.diameter) / section_area(scene);
+  if (!point.failure.empty()) return point;
+  point.mean = std::accumulate(signal.begin(), signal.end(), 0.0) / n;
   // Neighbouring values belong together, blocks hardly: their scatter tells how sure the mean square is.
   constexpr std::size_t blocks = 10;
   std::array<double, blocks> square{};
@@ -144,19 +150,23 @@ void run_study(const std::filesystem::path& file, const std::string& command,
   const dem::Particles start = fluidised(scene, 1.5);
   std::ofstream out(file);
   out << fmt::format("# {} on one core of {}, {:%Y-%m-%d}\n", command, processor(), fmt::gmtime(std::time(nullptr)));
-  out << "scheme,time step [s],root mean square [Pa],low [Pa],high [Pa],mean [Pa],weight of the bed [Pa],measured "
-         "[s]\n";
-  for (const auto& [scheme, name] : schemes)
+  out << "method,time step [s],root mean square [Pa],low [Pa],high [Pa],mean [Pa],weight of the bed [Pa],measured "
+         "[s],failure\n";
+  for (const Method& method : methods())
     for (const double time_step : time_steps) {
+      if (method.interval > 0.0 && time_step > 0.99 * method.interval) continue;  // that is every step
+      if (std::abs(std::remainder(method.interval, time_step)) > 1e-9) continue;
       Scene changed = scene;
-      changed.coupling.void_fraction = scheme;
+      changed.coupling.void_fraction = method.scheme;
+      changed.coupling.void_fraction_interval = method.interval;
       changed.fluid.time_step = time_step;
       const NoisePoint p = measure(changed, start, 0.2, 1.0);
-      out << fmt::format("{},{:g},{:.2f},{:.2f},{:.2f},{:.2f},{:.2f},{:g}\n", name, p.time_step, p.rms, p.low, p.high,
-                         p.mean, p.bed_weight, p.seconds)
+      out << fmt::format("{},{:g},{:.2f},{:.2f},{:.2f},{:.2f},{:.2f},{:g},{}\n", method.name, p.time_step, p.rms, p.low,
+                         p.high, p.mean, p.bed_weight, p.seconds, p.failure)
           << std::flush;
-      say(fmt::format("{}, {:g} s: {:.1f} Pa ({:.1f} to {:.1f}) about {:.0f}", name, time_step, p.rms, p.low, p.high,
-                      p.mean));
+      say(p.failure.empty() ? fmt::format("{}, {:g} s: {:.1f} Pa ({:.1f} to {:.1f}) about {:.0f}", method.name,
+                                          time_step, p.rms, p.low, p.high, p.mean)
+                            : fmt::format("{}, {:g} s: {}", method.name, time_step, p.failure));
     }
   if (!out) throw std::runtime_error(fmt::format("{}: cannot be written", file.string()));
 }
@@ -168,18 +178,17 @@ std::vector<NoisePoint> load_study(const std::filesystem::path& file) {
   int number = 0;
   for (std::string line; std::getline(in, line);) {
     ++number;
-    if (line.starts_with('#') || line.starts_with("scheme")) continue;
+    if (line.starts_with('#') || line.starts_with("method")) continue;
     const auto comma = line.find(',');
-    const auto scheme =
-        std::find_if(schemes.begin(), schemes.end(), [&](const auto& s) { return line.substr(0, comma) == s.second; });
     std::istringstream rest(line.substr(std::min(line.size(), comma)));
     NoisePoint p{};
+    p.method = line.substr(0, comma);
     char separator = 0;
     for (double* value : {&p.time_step, &p.rms, &p.low, &p.high, &p.mean, &p.bed_weight, &p.seconds})
       rest >> separator >> *value;
-    if (scheme == schemes.end() || !rest)
-      throw std::runtime_error(fmt::format("{}:{}: not a row of the study", file.string(), number));
-    p.scheme = scheme->first;
+    if (!rest) throw std::runtime_error(fmt::format("{}:{}: not a row of the study", file.string(), number));
+    rest >> separator;
+    std::getline(rest, p.failure);
     points.push_back(p);
   }
   return points;

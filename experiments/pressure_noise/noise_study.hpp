@@ -13,11 +13,12 @@ namespace slfb::noise {
 
 /// Root mean square of the pressure drop about its mean, static head removed, one value per step of the liquid.
 struct NoisePoint {
-  VoidFractionScheme scheme;
+  std::string method;       ///< "exact-overlap" and so on, as in a scene file; or the scheme in intervals
   double time_step;         ///< of the liquid [s]
   double rms, low, high;    ///< with its 95 % interval from ten blocks of the time [Pa]
   double mean, bed_weight;  ///< of the pressure drop; buoyant weight of the bed over the section [Pa]
   double seconds;           ///< that were measured [s]
+  std::string failure;      ///< why there is no value, empty where there is one
 };
 
 /// 3600 spheres of 5 mm in the 50 mm column at 0.10 m/s, cells of 6.25 mm, with springs and steps of the spheres that
@@ -28,7 +29,7 @@ Scene study_scene();
 dem::Particles fluidised(Scene scene, double seconds);
 
 /// Goes on from there with the scene's own scheme and step: `transient` for the liquid to match the spheres, then
-/// `seconds` of measurement.
+/// `seconds` of measurement. A breakdown is kept as the point's failure.
 NoisePoint measure(const Scene& scene, const dem::Particles& start, double transient, double seconds);
 
 /// Every scheme at every step of the study; written with machine, date and `command` as comments.
@@ -37,7 +38,12 @@ void run_study(const std::filesystem::path& file, const std::string& command,
 /// The points of such a file. Throws std::runtime_error that names the file and the line.
 std::vector<NoisePoint> load_study(const std::filesystem::path& file);
 
-/// "exact-overlap", as in a scene file.
-std::string name_of(VoidFractionScheme scheme);
+/// A way to come to the void fraction: its name, its scheme, and how often it is computed.
+struct Method {
+  std::string name;
+  VoidFractionScheme scheme;
+  double interval;  ///< [s]; 0: in every step of the liquid
+};
+const std::vector<Method>& methods();
 
 }  // namespace slfb::noise

@@ -47,31 +47,98 @@ void PhaseCoupling::resize(std::size_t n) {
     for (auto& field : *fields) field.resize(n, 0.0);
 }
 
-void PhaseCoupling::sphere_removed(std::size_t i) {
+void PhaseCoupling::sphere_added() {
   liquid_before_.clear();
+  interval_step_ = interval_steps_;
+}
+
+void PhaseCoupling::sphere_removed(std::size_t i) {
+  sphere_added();
   further_.remove(i);
 }
 
-void PhaseCoupling::restore(std::vector<double> liquid_volume, const std::vector<double>& further_state) {
-  liquid_before_ = std::move(liquid_volume);
-  further_.restore(further_state);
-  cells_valid_ = false;
+int PhaseCoupling::steps_per_interval() const {
+  return static_cast<int>(std::max(1L, std::lround(scene_.coupling.void_fraction_interval / scene_.fluid.time_step)));
 }
 
-void PhaseCoupling::update_void_fraction(const dem::Engine& engine) {
-  const Stopwatch stopwatch(void_fraction_seconds_);
+std::vector<double> PhaseCoupling::interval_state() const {
+  if (interval_centres_.x.empty() || interval_step_ >= interval_steps_) return {};
+  std::vector<double> state{static_cast<double>(interval_steps_), static_cast<double>(interval_step_)};
+  for (const auto* field :
+       {&interval_start_, &interval_end_, &interval_centres_.x, &interval_centres_.y, &interval_centres_.z})
+    state.insert(state.end(), field->begin(), field->end());
+  return state;
+}
+
+void PhaseCoupling::restore(std::vector<double> liquid_volume, const dem::Particles& particles,
+                            const std::vector<double>& interval_state, const std::vector<double>& further_state) {
+  liquid_before_ = std::move(liquid_volume);
+  further_.restore(further_state);
+  cells_valid_ = velocity_is_gathered_ = false;
+  if (interval_state.empty()) return;
+  auto next = interval_state.begin();
+  interval_steps_ = static_cast<int>(*next++);
+  interval_step_ = static_cast<int>(*next++);
+  const auto read = [&](std::vector<double>& field, std::size_t size) {
+    field.assign(next, next + static_cast<std::ptrdiff_t>(size));
+    next += static_cast<std::ptrdiff_t>(size);
+  };
+  const std::size_t n = particles.size();
+  read(interval_start_, liquid_->grid().size());
+  read(interval_end_, liquid_->grid().size());
+  for (auto* field : {&interval_centres_.x, &interval_centres_.y, &interval_centres_.z}) read(*field, n);
+  shares_->update(interval_centres_, particles.radius, 1);
+}
+
+/// The liquid at the end of an interval, from where the spheres will then be; after a sphere has been put in or taken
+/// out an interval of a single step, which displaces nothing.
+void PhaseCoupling::start_interval(const dem::Engine& engine, double time_step) {
   const dem::Particles& particles = engine.particles;
   const fluid::ColumnGrid& grid = liquid_->grid();
-  shares_->update(particles, engine.threads());
+  velocity_is_gathered_ = false;
+  interval_step_ = 0;
+  interval_steps_ = liquid_before_.empty() ? 1 : steps_per_interval();
+  if (steps_per_interval() == 1) {
+    shares_->update(particles, engine.threads());
+  } else {
+    const double ahead = (interval_steps_ - 1) * time_step;
+    interval_centres_ = particles.position;
+    for (std::size_t i = 0; i < particles.size(); ++i) {
+      interval_centres_.x[i] += ahead * particles.velocity.x[i];
+      interval_centres_.y[i] += ahead * particles.velocity.y[i];
+      interval_centres_.z[i] += ahead * particles.velocity.z[i];
+    }
+    shares_->update(interval_centres_, particles.radius, engine.threads());
+  }
   shares_->scatter<1>({&volume_}, {&solid_}, engine.threads());
   smoothing_->scatter(solid_, engine.threads());
-  liquid_now_.resize(grid.size());
+  interval_end_.resize(grid.size());
+  const auto layers = static_cast<std::size_t>(grid.layers());
+  for (std::size_t c = 0; c < grid.size(); ++c)
+    interval_end_[c] = grid.volume(static_cast<int>(c / layers)) - solid_[c];
+  interval_start_ = liquid_before_.empty() ? interval_end_ : liquid_before_;
+}
+
+void PhaseCoupling::update_void_fraction(const dem::Engine& engine, double time_step) {
+  const Stopwatch stopwatch(void_fraction_seconds_);
+  const fluid::ColumnGrid& grid = liquid_->grid();
+  if (interval_step_ >= interval_steps_ || interval_end_.empty()) start_interval(engine, time_step);
+  ++interval_step_;
+  if (interval_step_ == interval_steps_) {
+    liquid_now_ = interval_end_;
+  } else {
+    liquid_now_.resize(grid.size());
+    const double done = static_cast<double>(interval_step_) / interval_steps_;
+    for (std::size_t c = 0; c < grid.size(); ++c)
+      liquid_now_[c] = interval_start_[c] + done * (interval_end_[c] - interval_start_[c]);
+  }
   cell_scratch_.resize(grid.size());
   const auto layers = static_cast<std::size_t>(grid.layers());
-  for (std::size_t c = 0; c < grid.size(); ++c) {
-    const double cell_volume = grid.volume(static_cast<int>(c / layers));
-    liquid_now_[c] = cell_volume - solid_[c];
-    cell_scratch_[c] = liquid_now_[c] / cell_volume;
+  for (int s = 0; s < grid.cells(); ++s) {
+    const double volume = grid.volume(s), *liquid = &liquid_now_[static_cast<std::size_t>(s) * layers];
+    double* voidage = &cell_scratch_[static_cast<std::size_t>(s) * layers];
+#pragma omp simd
+    for (std::size_t k = 0; k < layers; ++k) voidage[k] = liquid[k] / volume;
   }
   smoothing_->gather(cell_scratch_, engine.threads());
   for (std::size_t c = 0; c < grid.size(); ++c) cells_[c].value[CellValues::voidage] = cell_scratch_[c];
@@ -83,11 +150,9 @@ void PhaseCoupling::read_liquid(int threads) {
 #pragma omp parallel for num_threads(std::min(threads, 3)) schedule(static)
   for (std::size_t a = 0; a < 3; ++a) {
     liquid_->gather(a, liquid_->velocity(a), cell_velocity_[a]);
-    liquid_->gather(a, liquid_->pressure_gradient(a), pressure_gradient_[a]);
-    liquid_->gather(a, liquid_->viscous_force(a), cell_stress_[a]);
-    for (std::size_t c = 0; c < cells_.size(); ++c) cell_stress_[a][c] -= pressure_gradient_[a][c];
+    liquid_->gather_stress(a, cell_stress_[a]);
   }
-  for (auto* fields : {&cell_velocity_, &pressure_gradient_, &cell_stress_})
+  for (auto* fields : {&cell_velocity_, &cell_stress_})
     for (auto& field : *fields) smoothing_->gather(field, threads);
 #pragma omp parallel for num_threads(threads) schedule(static)
   for (std::size_t c = 0; c < cells_.size(); ++c)
@@ -105,6 +170,8 @@ void PhaseCoupling::read_at_spheres(const dem::Engine& engine, double time_step)
   const double density = scene_.liquid.density, viscosity = scene_.liquid.viscosity;
   const bool explicit_exchange = scene_.coupling.exchange == MomentumExchange::explicit_in_time;
   const bool corrected = slip_is_corrected(), further = further_.any();
+  // Within an interval of the void fraction the end of the last step has read the same velocities by the same shares.
+  const bool gathered = velocity_is_gathered_ && !corrected;
   const auto n = static_cast<std::int64_t>(particles.size());
   constexpr std::int64_t block = 256;
 #pragma omp parallel for num_threads(engine.threads()) schedule(static)
@@ -117,6 +184,9 @@ void PhaseCoupling::read_at_spheres(const dem::Engine& engine, double time_step)
       if (liquid_ == nullptr) {
         value[CellValues::voidage] = 1.0;
         value[CellValues::velocity_z] = prescribed_velocity_;
+      } else if (gathered) {
+        value[CellValues::voidage] = shares_->gather(i, cell_scratch_);
+        for (std::size_t a = 0; a < 3; ++a) value[CellValues::velocity_x + a] = liquid_velocity_[a][i];
       } else {
         const std::uint32_t* cell = shares_->cells(i);
         const double* share = shares_->shares(i);
@@ -237,6 +307,7 @@ void PhaseCoupling::give_to_spheres(dem::Engine& engine, double time_step) {
     }
     (*external[2])[i] -= gravity * (particles.mass[i] - scene_.liquid.density * volume);
   }
+  velocity_is_gathered_ = liquid_ != nullptr;
 }
 
 /// β at the slip that the last pass has found; returns the largest relative change of K.
@@ -274,7 +345,7 @@ void PhaseCoupling::advance(dem::Engine& engine, double time_step) {
     return;
   }
   cells_.resize(liquid_->grid().size());
-  update_void_fraction(engine);
+  update_void_fraction(engine, time_step);
   if (!cells_valid_) read_liquid(engine.threads());
   if (further_.any()) apply_further_forces(engine);
   read_at_spheres(engine, time_step);
@@ -359,8 +430,14 @@ void PhaseCoupling::apply_further_forces(dem::Engine& engine) {
   }
 }
 
-double PhaseCoupling::pressure_force(std::size_t i, std::size_t a) const {
-  const double gradient = liquid_ != nullptr ? shares_->gather(i, pressure_gradient_[a]) : 0.0;
+double PhaseCoupling::pressure_force(std::size_t i, std::size_t a) {
+  double gradient = 0.0;
+  if (liquid_ != nullptr) {
+    std::vector<double> cells;
+    liquid_->gather(a, liquid_->pressure_gradient(a), cells);
+    smoothing_->gather(cells);
+    gradient = shares_->gather(i, cells);
+  }
   return -volume_[i] * (gradient - (a == 2 ? scene_.liquid.density * gravity : 0.0));
 }
 

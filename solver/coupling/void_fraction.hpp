@@ -19,7 +19,8 @@ class VolumeShares {
   /// Spheres must not be larger than `largest_radius` [m]; update() throws std::invalid_argument if one is.
   VolumeShares(VoidFractionScheme scheme, int meshing_pieces, const fluid::ColumnGrid& grid, double largest_radius);
 
-  void update(const dem::Particles& particles, int threads);
+  void update(const dem::Particles& particles, int threads) { update(particles.position, particles.radius, threads); }
+  void update(const dem::VectorField& centres, const std::vector<double>& radius, int threads);
 
   [[nodiscard]] std::size_t stride() const { return stride_; }
   [[nodiscard]] const std::uint32_t* cells(std::size_t i) const { return &cell_[i * stride_]; }
@@ -31,15 +32,16 @@ class VolumeShares {
   template <std::size_t fields>
   void scatter(const std::array<const std::vector<double>*, fields>& values,
                const std::array<std::vector<double>*, fields>& cells, int threads) const {
-    const std::size_t n = count_.size(), size = grid_.size();
-    for (auto* field : cells) field->resize(size);
+    const std::size_t n = count_.size(), size = grid_.size(), layers = static_cast<std::size_t>(grid_.layers());
+    for (auto* field : cells) field->assign(size, 0.0);
     sums_.resize(runs * size * fields);
 #pragma omp parallel num_threads(threads)
     {
 #pragma omp for schedule(static, 1)
       for (std::size_t run = 0; run < runs; ++run) {
         double* sums = &sums_[run * size * fields];
-        std::fill_n(sums, size * fields, 0.0);
+        for (std::size_t start = 0; start < size; start += layers)
+          std::fill_n(sums + start * fields, occupied_layers_ * fields, 0.0);
         for (std::size_t i = n * run / runs; i < n * (run + 1) / runs; ++i)
           for (int m = 0; m < count_[i]; ++m) {
             const double share = shares(i)[m];
@@ -48,12 +50,13 @@ class VolumeShares {
           }
       }
 #pragma omp for schedule(static)
-      for (std::size_t c = 0; c < size; ++c)
-        for (std::size_t f = 0; f < fields; ++f) {
-          double sum = 0.0;
-          for (std::size_t run = 0; run < runs; ++run) sum += sums_[(run * size + c) * fields + f];
-          (*cells[f])[c] = sum;
-        }
+      for (std::size_t start = 0; start < size; start += layers)
+        for (std::size_t c = start; c < start + occupied_layers_; ++c)
+          for (std::size_t f = 0; f < fields; ++f) {
+            double sum = 0.0;
+            for (std::size_t run = 0; run < runs; ++run) sum += sums_[(run * size + c) * fields + f];
+            (*cells[f])[c] = sum;
+          }
     }
   }
   void scatter(const std::vector<double>& values, std::vector<double>& cells) const {
@@ -110,6 +113,7 @@ class VolumeShares {
   std::vector<std::uint32_t> cell_;
   std::vector<double> share_;
   std::vector<int> count_;
+  std::size_t occupied_layers_ = 0;       ///< no sphere reaches above these
   static constexpr std::size_t runs = 4;  ///< of spheres, in scatter
   mutable std::vector<double> sums_;      ///< of each run, cell and field
 };

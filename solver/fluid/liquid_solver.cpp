@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "solver/stopwatch.hpp"
 
@@ -12,7 +13,8 @@ namespace {
 
 constexpr std::size_t vertical = 2;
 
-/// Of the momentum equations' sweeps: change over the largest velocity that ends them [-], and how many there may be.
+/// Of the momentum equations' sweeps: what is still to come, over the largest velocity, that ends them [-], and how
+/// many there may be.
 constexpr double momentum_tolerance = 1e-10;
 constexpr int most_sweeps = 5000;
 
@@ -65,8 +67,7 @@ LiquidSolver::LiquidSolver(const Scene& scene, bool closed, int threads)
       dilatation_(grid_.size(), 0.0),
       pressure_equation_(grid_, closed),
       imbalance_(grid_.size(), 0.0),
-      correction_(grid_.size(), 0.0),
-      residual_(grid_.size(), 0.0) {
+      correction_(grid_.size(), 0.0) {
   for (std::size_t a = 0; a < 3; ++a) build_component(a);
 }
 
@@ -109,9 +110,9 @@ void LiquidSolver::build_component(std::size_t a) {
     c.neighbour.push_back(neighbour);
   }
   const std::size_t n = as_index(c.sections) * as_index(c.levels);
-  for (auto* field :
-       {&c.volume, &c.fraction, &c.liquid_before, &c.liquid_now, &c.velocity, &c.previous, &c.pressure_gradient,
-        &c.viscous, &c.flow, &c.inertia, &c.old_inertia, &c.diagonal, &c.right_hand_side, &c.next, &c.mobility})
+  for (auto* field : {&c.volume, &c.fraction, &c.liquid_before, &c.liquid_now, &c.velocity, &c.previous,
+                      &c.pressure_gradient, &c.viscous, &c.flow, &c.inertia, &c.old_inertia, &c.diagonal,
+                      &c.inverse_diagonal, &c.right_hand_side, &c.next, &c.mobility})
     field->assign(n, 0.0);
   for (auto& flux : c.flux) flux.assign(n, 0.0);
   for (auto& coefficient : c.coefficient) coefficient.assign(n, 0.0);
@@ -218,46 +219,65 @@ std::array<double, 3> LiquidSolver::position(std::size_t a, std::size_t node) co
 
 void LiquidSolver::scatter(std::size_t a, const std::vector<double>& cells, std::vector<double>& nodes) const {
   const Component& c = component_[a];
-  const int layers = grid_.layers();
-  nodes.assign(as_index(c.sections) * as_index(c.levels), 0.0);
+  const auto layers = as_index(grid_.layers());
+  nodes.resize(as_index(c.sections) * as_index(c.levels));
   for (int s = 0; s < c.sections; ++s) {
+    const auto& owner = c.owner[as_index(s)];
+    const auto& share = c.share[as_index(s)];
+    const double *first = &cells[index(owner[0], 0, grid_.layers())],
+                 *second = &cells[index(owner[1], 0, grid_.layers())];
+    double* node = &nodes[index(s, 0, c.levels)];
     if (a == vertical) {
-      for (int k = 0; k < layers; ++k) {
-        const double value = cells[index(s, k, layers)];
-        // The lowest cell's share of the inlet face goes to the first free node above it; likewise below a closed top.
-        nodes[index(s, std::max(k, c.first), c.levels)] += 0.5 * value;
-        nodes[index(s, std::min(k + 1, c.last), c.levels)] += 0.5 * value;
-      }
+      for (std::size_t k = 1; k < layers; ++k) node[k] = 0.5 * first[k - 1] + 0.5 * first[k];
+      // The lowest cell's share of the inlet face goes to the first free node above it; likewise below a closed top.
+      node[0] = 0.0;
+      node[layers] = 0.5 * first[layers - 1];
+      node[1] += 0.5 * first[0];
+      if (closed_) node[layers - 1] += std::exchange(node[layers], 0.0);
     } else {
-      const auto& owner = c.owner[as_index(s)];
-      const auto& share = c.share[as_index(s)];
-      const double *first = &cells[index(owner[0], 0, layers)], *second = &cells[index(owner[1], 0, layers)];
-      double* node = &nodes[index(s, 0, layers)];
-      for (std::size_t k = 0; k < as_index(layers); ++k) node[k] = share[0] * first[k] + share[1] * second[k];
+      for (std::size_t k = 0; k < layers; ++k) node[k] = share[0] * first[k] + share[1] * second[k];
+    }
+  }
+}
+
+template <class Value>
+void LiquidSolver::gather_values(std::size_t a, const Value& value, std::vector<double>& cells) const {
+  const Component& c = component_[a];
+  const auto layers = as_index(grid_.layers());
+  if (a == vertical) {
+    cells.resize(grid_.size());
+    for (int s = 0; s < c.sections; ++s) {
+      double* cell = &cells[index(s, 0, grid_.layers())];
+      const std::size_t node = index(s, 0, c.levels);
+      for (std::size_t k = 1; k < layers; ++k) cell[k] = 0.5 * (value(node + k) + value(node + k + 1));
+      cell[0] = 0.5 * (value(node + 1) + value(node + std::min<std::size_t>(1, as_index(c.last))));
+      if (closed_) cell[layers - 1] = value(node + layers - 1);
+    }
+    return;
+  }
+  cells.assign(grid_.size(), 0.0);
+  for (int s = 0; s < c.sections; ++s) {
+    const auto& owner = c.owner[as_index(s)];
+    const auto& share = c.share[as_index(s)];
+    double *first = &cells[index(owner[0], 0, grid_.layers())], *second = &cells[index(owner[1], 0, grid_.layers())];
+    const std::size_t node = index(s, 0, c.levels);
+    for (std::size_t k = 0; k < layers; ++k) {
+      const double here = value(node + k);
+      first[k] += share[0] * here;
+      second[k] += share[1] * here;
     }
   }
 }
 
 void LiquidSolver::gather(std::size_t a, const std::vector<double>& nodes, std::vector<double>& cells) const {
+  gather_values(
+      a, [&](std::size_t n) { return nodes[n]; }, cells);
+}
+
+void LiquidSolver::gather_stress(std::size_t a, std::vector<double>& cells) const {
   const Component& c = component_[a];
-  const int layers = grid_.layers();
-  cells.assign(grid_.size(), 0.0);
-  for (int s = 0; s < c.sections; ++s) {
-    if (a == vertical) {
-      for (int k = 0; k < layers; ++k)
-        cells[index(s, k, layers)] = 0.5 * (nodes[index(s, std::max(k, c.first), c.levels)] +
-                                            nodes[index(s, std::min(k + 1, c.last), c.levels)]);
-    } else {
-      const auto& owner = c.owner[as_index(s)];
-      const auto& share = c.share[as_index(s)];
-      double *first = &cells[index(owner[0], 0, layers)], *second = &cells[index(owner[1], 0, layers)];
-      const double* node = &nodes[index(s, 0, layers)];
-      for (std::size_t k = 0; k < as_index(layers); ++k) {
-        first[k] += share[0] * node[k];
-        second[k] += share[1] * node[k];
-      }
-    }
-  }
+  gather_values(
+      a, [&](std::size_t n) { return c.viscous[n] - c.pressure_gradient[n]; }, cells);
 }
 
 double LiquidSolver::face_area(std::size_t a, int section) const {
@@ -273,7 +293,8 @@ double LiquidSolver::spacing(std::size_t a, int level) const {
 /// Liquid volumes on the nodes, inertia and old momentum, ∂V_L/∂t, the inlet's velocity, and the velocity that the
 /// solution starts from: extrapolated in second order, so that everything explicit in it is of second order too.
 void LiquidSolver::start_step(double time_step, const std::vector<double>& before, const std::vector<double>& now) {
-  const bool second_order = time_scheme_ == TimeScheme::second_order && last_volume_ == before;
+  const bool goes_on = last_volume_ == before;
+  const bool second_order = time_scheme_ == TimeScheme::second_order && goes_on;
   // ∂f/∂t at the end of the step = at_now f^(n+1) − at_before f^n + at_earlier f^(n−1).
   const double at_now = (second_order ? 1.5 : 1.0) / time_step, at_before = (second_order ? 2.0 : 1.0) / time_step,
                at_earlier = 0.5 / time_step;
@@ -284,12 +305,21 @@ void LiquidSolver::start_step(double time_step, const std::vector<double>& befor
 #pragma omp parallel for num_threads(std::min(threads_, 3)) schedule(static)
   for (std::size_t a = 0; a < 3; ++a) {
     Component& c = component_[a];
-    scatter(a, before, c.liquid_before);
+    if (goes_on && nodes_hold_last_volume_)
+      std::swap(c.liquid_before, c.liquid_now);
+    else
+      scatter(a, before, c.liquid_before);
     scatter(a, now, c.liquid_now);
     const std::size_t n = c.velocity.size();
-    for (std::size_t i = 0; i < n; ++i) {
-      c.fraction[i] = c.volume[i] > 0.0 ? c.liquid_now[i] / c.volume[i] : 0.0;
-      c.inertia[i] = density_ * at_before * c.liquid_before[i];
+    {
+      const double *volume = c.volume.data(), *liquid_now = c.liquid_now.data(), *liquid = c.liquid_before.data();
+      double *fraction = c.fraction.data(), *inertia = c.inertia.data();
+      const double factor = density_ * at_before;
+#pragma omp simd
+      for (std::size_t i = 0; i < n; ++i) {
+        fraction[i] = volume[i] > 0.0 ? liquid_now[i] / volume[i] : 0.0;
+        inertia[i] = factor * liquid[i];
+      }
     }
     c.previous = c.velocity;
     if (second_order) {
@@ -308,10 +338,9 @@ void LiquidSolver::start_step(double time_step, const std::vector<double>& befor
     }
   }
   for (Component& c : component_) c.old_inertia = c.inertia;
-  if (time_scheme_ == TimeScheme::second_order) {
-    earlier_volume_ = before;
-    last_volume_ = now;
-  }
+  if (time_scheme_ == TimeScheme::second_order) earlier_volume_ = before;
+  last_volume_ = now;
+  nodes_hold_last_volume_ = true;
   Component& c = component_[vertical];
   for (int s = 0; s < c.sections; ++s)
     c.velocity[index(s, 0, c.levels)] = c.end[0][as_index(s)] / c.fraction[index(s, 1, c.levels)];
@@ -325,8 +354,10 @@ void LiquidSolver::start_flows() {
     for (int s = 0; s < c.sections; ++s) {
       const double area = face_area(a, s);
       const std::size_t start = index(s, 0, c.levels);
-      for (std::size_t n = start; n < start + as_index(c.levels); ++n)
-        c.flow[n] = c.volume[n] > 0.0 ? c.liquid_before[n] / c.volume[n] * area * c.velocity[n] : 0.0;
+      const double *volume = &c.volume[start], *liquid = &c.liquid_before[start], *velocity = &c.velocity[start];
+      double* flow = &c.flow[start];
+#pragma omp simd
+      for (int k = 0; k < c.levels; ++k) flow[k] = volume[k] > 0.0 ? liquid[k] / volume[k] * area * velocity[k] : 0.0;
       if (a == vertical) c.flow[start] = c.end[0][as_index(s)] * area;
     }
   }
@@ -362,7 +393,11 @@ void LiquidSolver::put_stress_on(const Exchange& exchange) {
     Component& c = component_[a];
     c.stressed = c.liquid_now;
     if (exchange.volume[a].empty()) continue;
-    for (std::size_t n = 0; n < c.stressed.size(); ++n) c.stressed[n] += exchange.volume[a][n];
+    const double* volume = exchange.volume[a].data();
+    double* stressed = c.stressed.data();
+    const std::size_t nodes = c.stressed.size();
+#pragma omp simd
+    for (std::size_t n = 0; n < nodes; ++n) stressed[n] += volume[n];
   }
 }
 
@@ -374,7 +409,10 @@ void LiquidSolver::update_flows() {
     for (int s = 0; s < c.sections; ++s) {
       const double area = face_area(a, s);
       const std::size_t start = index(s, 0, c.levels);
-      for (std::size_t n = start; n < start + as_index(c.levels); ++n) c.flow[n] = c.fraction[n] * area * c.velocity[n];
+      const double *fraction = &c.fraction[start], *velocity = &c.velocity[start];
+      double* flow = &c.flow[start];
+#pragma omp simd
+      for (int k = 0; k < c.levels; ++k) flow[k] = fraction[k] * area * velocity[k];
       if (a == vertical) c.flow[start] = c.end[0][as_index(s)] * area;
     }
   }
@@ -485,17 +523,29 @@ void LiquidSolver::assemble(std::size_t a, const Exchange& exchange) {
 ///
 /// Convection is written as Σ q (u_face − u_P), the conservative form minus u_P times continuity: it cannot create
 /// momentum where q is still that of the last iteration.
+///
+/// The loops over the height are marked `simd`: the compiler cannot know that the many fields do not overlap.
 template <ConvectionScheme scheme>
 void LiquidSolver::assemble(std::size_t a, const Exchange& exchange) {
   Component& c = component_[a];
   const int levels = c.levels;
-  const double density = density_;
+  const double density = density_, viscosity = viscosity_;
   const double* velocity = c.velocity.data();
-  for (std::size_t n = 0; n < c.velocity.size(); ++n) {
-    c.diagonal[n] = c.old_inertia[n] + exchange.coefficient[a][n];
-    c.right_hand_side[n] = c.old_inertia[n] * c.previous[n] + exchange.source[a][n] +
-                           c.stressed[n] * (c.viscous[n] - c.pressure_gradient[n]);
+  {
+    const std::size_t nodes = c.velocity.size();
+    const double *inertia = c.old_inertia.data(), *coefficient = exchange.coefficient[a].data(),
+                 *source = exchange.source[a].data(), *previous = c.previous.data(), *stressed = c.stressed.data(),
+                 *viscous = c.viscous.data(), *gradient = c.pressure_gradient.data();
+    double *diagonal = c.diagonal.data(), *rhs = c.right_hand_side.data();
+#pragma omp simd
+    for (std::size_t n = 0; n < nodes; ++n) {
+      diagonal[n] = inertia[n] + coefficient[n];
+      rhs[n] = inertia[n] * previous[n] + source[n] + stressed[n] * (viscous[n] - gradient[n]);
+    }
   }
+  const int first = c.first, last = c.last;
+  const double *below = c.below.data(), *above = c.above.data();
+  excess_[a].resize(as_index(levels) + 1);
   for (int s = 0; s < c.sections; ++s) {
     const std::size_t start = index(s, 0, levels);
     const double* u = velocity + start;
@@ -503,7 +553,8 @@ void LiquidSolver::assemble(std::size_t a, const Exchange& exchange) {
     double* rhs = &c.right_hand_side[start];
     double* diagonal = &c.diagonal[start];
     const double stress = viscosity_ * c.own[as_index(s)];
-    for (int k = c.first; k <= c.last; ++k) diagonal[k] += stress * liquid[k];
+#pragma omp simd
+    for (int k = first; k <= last; ++k) diagonal[k] += stress * liquid[k];
 
     for (std::size_t axis : {std::size_t{0}, std::size_t{1}}) {
       const std::size_t minus = 2 * axis, plus = minus + 1;
@@ -523,7 +574,8 @@ void LiquidSolver::assemble(std::size_t a, const Exchange& exchange) {
       const double* flux = &c.flux[axis][start];
       double *to_plus = &c.coefficient[plus][start], *to_minus = &c.coefficient[minus][start_t];
       double *rhs_t = &c.right_hand_side[start_t], *diagonal_t = &c.diagonal[start_t];
-      for (int k = c.first; k <= c.last; ++k) {
+#pragma omp simd
+      for (int k = first; k <= last; ++k) {
         const double flow = density * flux[k], onwards = std::max(flow, 0.0), back = onwards - flow;
         to_plus[k] = back + stress_s * liquid[k];
         to_minus[k] = onwards + stress_t * liquid_t[k];
@@ -540,25 +592,29 @@ void LiquidSolver::assemble(std::size_t a, const Exchange& exchange) {
 
     const double* flux = &c.flux[2][start];
     double *to_below = &c.coefficient[4][start], *to_above = &c.coefficient[5][start];
-    for (int k = c.first + 1; k <= c.last; ++k) {
+#pragma omp simd
+    for (int k = first + 1; k <= last; ++k) {
       const double flow = density * flux[k], onwards = std::max(flow, 0.0);
-      to_below[k] = onwards + viscosity_ * c.below[as_index(k)] * liquid[k];
-      to_above[k - 1] = onwards - flow + viscosity_ * c.above[as_index(k - 1)] * liquid[k - 1];
+      to_below[k] = onwards + viscosity * below[k] * liquid[k];
+      to_above[k - 1] = onwards - flow + viscosity * above[k - 1] * liquid[k - 1];
     }
     if constexpr (scheme != ConvectionScheme::upwind) {
-      const auto link = [&](int k, double below_lower, double above_upper) {
-        const double excess = carried_excess<scheme>(density * flux[k], below_lower, u[k - 1], u[k], above_upper);
-        rhs[k - 1] -= excess;
-        rhs[k] += excess;
+      double* excess = excess_[a].data();
+      const auto link = [=](int k, double below_lower, double above_upper) {
+        excess[k] = carried_excess<scheme>(density * flux[k], below_lower, u[k - 1], u[k], above_upper);
       };
       const double bottom = a == vertical ? u[0] : 2.0 * c.end[0][as_index(s)] - u[0];
       const double top = c.last + 1 < levels ? u[levels - 1]
                          : closed_           ? 2.0 * c.end[1][as_index(s)] - u[c.last]
                                              : u[c.last];
-      const int lowest = c.first + 1;
-      if (lowest <= c.last) link(lowest, bottom, lowest < c.last ? u[lowest + 1] : top);
-      for (int k = lowest + 1; k < c.last; ++k) link(k, u[k - 2], u[k + 1]);
-      if (lowest < c.last) link(c.last, u[c.last - 2], top);
+      const int lowest = first + 1;
+      excess[first] = excess[last + 1] = 0.0;
+      if (lowest <= last) link(lowest, bottom, lowest < last ? u[lowest + 1] : top);
+#pragma omp simd
+      for (int k = lowest + 1; k < last; ++k) link(k, u[k - 2], u[k + 1]);
+      if (lowest < last) link(last, u[last - 2], top);
+#pragma omp simd
+      for (int k = first; k <= last; ++k) rhs[k] = rhs[k] + excess[k] - excess[k + 1];
     }
     // Ends of the column: values given, of the vertical component on the grid's own levels.
     const double from_below =
@@ -569,13 +625,29 @@ void LiquidSolver::assemble(std::size_t a, const Exchange& exchange) {
     rhs[c.first] += from_below * (a == vertical ? u[0] : c.end[0][as_index(s)]);
     if (a != vertical) rhs[c.last] += from_above * c.end[1][as_index(s)];
   }
-  for (std::size_t n = 0; n < c.diagonal.size(); ++n) c.diagonal[n] += c.coefficient[4][n] + c.coefficient[5][n];
+  {
+    const std::size_t nodes = c.diagonal.size();
+    const double *to_below = c.coefficient[4].data(), *to_above = c.coefficient[5].data();
+    double* diagonal = c.diagonal.data();
+#pragma omp simd
+    for (std::size_t n = 0; n < nodes; ++n) diagonal[n] += to_below[n] + to_above[n];
+  }
 }
 
 /// The momentum equations are strongly diagonal (a step is short against drag and convection): Jacobi sweeps suffice.
+/// Each changes the velocity by about the same small part of what the last one did, so that what is still to come is
+/// known.
 void LiquidSolver::solve_momentum(std::size_t a) {
   Component& c = component_[a];
-  const int levels = c.levels;
+  const int levels = c.levels, first = c.first, last = c.last;
+  double last_change = 0.0;
+  for (std::size_t n = 0; n < c.diagonal.size(); ++n)
+    c.inverse_diagonal[n] = c.diagonal[n] > 0.0 ? 1.0 / c.diagonal[n] : 0.0;
+  for (int s = 0; s < c.sections; ++s) {  // what is given stays as it is
+    const std::size_t start = index(s, 0, levels), end = start + as_index(levels);
+    std::copy(&c.velocity[start], &c.velocity[start] + c.first, &c.next[start]);
+    for (std::size_t n = start + as_index(c.last) + 1; n < end; ++n) c.next[n] = c.velocity[n];
+  }
   for (int sweep = 0; sweep < most_sweeps; ++sweep) {
     std::fill(c.change.begin(), c.change.end(), 0.0);
     std::fill(c.peak.begin(), c.peak.end(), 0.0);
@@ -590,15 +662,15 @@ void LiquidSolver::solve_momentum(std::size_t a) {
       const double *to_left = &c.coefficient[0][start], *to_right = &c.coefficient[1][start],
                    *to_front = &c.coefficient[2][start], *to_back = &c.coefficient[3][start],
                    *to_below = &c.coefficient[4][start], *to_above = &c.coefficient[5][start];
-      const double *rhs = &c.right_hand_side[start], *diagonal = &c.diagonal[start];
+      const double *rhs = &c.right_hand_side[start], *inverse = &c.inverse_diagonal[start];
       double *next = &c.next[start], *moved = c.change.data(), *peak = c.peak.data();
-      const auto lateral = [&](int k) {
+      const auto lateral = [=](int k) {
         return rhs[k] + to_left[k] * left[k] + to_right[k] * right[k] + to_front[k] * front[k] + to_back[k] * back[k];
       };
-      const auto update = [&](int k, double sum) {
-        const double value = sum / diagonal[k];
-        moved[k] = std::max(moved[k], std::abs(value - u[k]));
-        peak[k] = std::max(peak[k], std::abs(value));
+      const auto update = [=](int k, double sum) {
+        const double value = sum * inverse[k], change = std::abs(value - u[k]), size = std::abs(value);
+        moved[k] = moved[k] > change ? moved[k] : change;
+        peak[k] = peak[k] > size ? peak[k] : size;
         next[k] = value;
       };
       if (c.first == c.last) {
@@ -606,18 +678,17 @@ void LiquidSolver::solve_momentum(std::size_t a) {
         continue;
       }
       update(c.first, lateral(c.first) + to_above[c.first] * u[c.first + 1]);
-      for (int k = c.first + 1; k < c.last; ++k)
-        update(k, lateral(k) + to_below[k] * u[k - 1] + to_above[k] * u[k + 1]);
+#pragma omp simd
+      for (int k = first + 1; k < last; ++k) update(k, lateral(k) + to_below[k] * u[k - 1] + to_above[k] * u[k + 1]);
       update(c.last, lateral(c.last) + to_below[c.last] * u[c.last - 1]);
     }
-    for (int s = 0; s < c.sections; ++s) {
-      const std::size_t start = index(s, 0, levels);
-      std::copy(&c.next[start + as_index(c.first)], &c.next[start + as_index(c.last)] + 1,
-                &c.velocity[start + as_index(c.first)]);
-    }
-    c.last_change = *std::max_element(c.change.begin(), c.change.end());
+    std::swap(c.velocity, c.next);
+    const double change = *std::max_element(c.change.begin(), c.change.end());
     c.largest = *std::max_element(c.peak.begin(), c.peak.end());
-    if (c.last_change <= momentum_tolerance * (c.largest + 1e-6)) break;
+    const double ratio = sweep > 0 && last_change > 0.0 ? change / last_change : 1.0;
+    c.unsettled = ratio < 0.5 ? change * ratio / (1.0 - ratio) : change;
+    if (c.unsettled <= momentum_tolerance * (c.largest + 1e-6)) break;
+    last_change = change;
   }
 }
 
@@ -626,10 +697,10 @@ void LiquidSolver::check_momentum() const {
     const Component& c = component_[a];
     if (!std::all_of(c.velocity.begin(), c.velocity.end(), [](double u) { return std::isfinite(u); }))
       throw FluidError(fmt::format("liquid momentum ({}): a velocity is not finite", "xyz"[a]));
-    if (c.last_change > momentum_tolerance * (c.largest + 1e-6))
+    if (c.unsettled > momentum_tolerance * (c.largest + 1e-6))
       throw FluidError(fmt::format(
           "liquid momentum ({}): {} sweeps leave a change of {:.3g} m/s; a smaller fluid.time_step may help", "xyz"[a],
-          most_sweeps, c.last_change));
+          most_sweeps, c.unsettled));
   }
 }
 
@@ -650,14 +721,20 @@ void LiquidSolver::finish_viscous(std::size_t a) {
       next_to[direction] = &c.velocity[index(t, 0, levels)];
       weight[direction] = viscosity_ * c.lateral[direction][as_index(s)];
     }
-    for (int k = c.first; k <= c.last; ++k)
-      viscous[k] += weight[0] * next_to[0][k] + weight[1] * next_to[1][k] + weight[2] * next_to[2][k] +
-                    weight[3] * next_to[3][k] - own * u[k];
     const double *below = c.below.data(), *above = c.above.data();
+    const double viscosity = viscosity_;
+    const int first = c.first, last = c.last;
+    const double *left = next_to[0], *right = next_to[1], *front = next_to[2], *back = next_to[3];
+#pragma omp simd
+    for (int k = first; k <= last; ++k)
+      viscous[k] +=
+          weight[0] * left[k] + weight[1] * right[k] + weight[2] * front[k] + weight[3] * back[k] - own * u[k];
     const double bottom = a == vertical ? u[0] : c.end[0][as_index(s)];
     const double top = c.last + 1 < levels ? u[levels - 1] : c.end[1][as_index(s)];
-    for (int k = c.first; k < c.last; ++k) viscous[k] += viscosity_ * above[k] * (u[k + 1] - u[k]);
-    for (int k = c.first + 1; k <= c.last; ++k) viscous[k] += viscosity_ * below[k] * (u[k - 1] - u[k]);
+#pragma omp simd
+    for (int k = first; k < last; ++k) viscous[k] += viscosity * above[k] * (u[k + 1] - u[k]);
+#pragma omp simd
+    for (int k = first + 1; k <= last; ++k) viscous[k] += viscosity * below[k] * (u[k - 1] - u[k]);
     viscous[c.first] += viscosity_ * below[c.first] * (bottom - u[c.first]);
     viscous[c.last] += viscosity_ * above[c.last] * (top - u[c.last]);
   }
@@ -675,7 +752,7 @@ void LiquidSolver::update_pressure_gradient() {
       double* gradient = &c.pressure_gradient[start];
       double* velocity = &c.velocity[start];
       const double* mobility = &c.mobility[start];
-      const auto set = [&](int k, double value) {
+      const auto set = [=](int k, double value) {
         if constexpr (correct_velocity) velocity[k] -= mobility[k] * (value - gradient[k]);
         gradient[k] = value;
       };
@@ -683,10 +760,12 @@ void LiquidSolver::update_pressure_gradient() {
                    *upper = &pressure_[index(c.owner[as_index(s)][1], 0, layers)];
       if (a == vertical) {
         const double per_height = 1.0 / grid_.cell_height();
+#pragma omp simd
         for (int k = 1; k < layers; ++k) set(k, (upper[k] - lower[k - 1]) * per_height);
         if (!closed_) set(layers, -lower[layers - 1] * 2.0 * per_height);  // the outlet's dynamic pressure is 0
       } else {
         const double per_width = 1.0 / grid_.spacing(a);
+#pragma omp simd
         for (int k = 0; k < layers; ++k) set(k, (upper[k] - lower[k]) * per_width);
       }
     }
@@ -705,11 +784,18 @@ double LiquidSolver::correct_pressure(const Exchange& exchange) {
     Component& c = component_[a];
     for (int s = 0; s < c.sections; ++s) {
       const double area = face_area(a, s);
+      const std::size_t start = index(s, 0, c.levels);
+      const double *stressed = &c.stressed[start], *inertia = &c.inertia[start],
+                   *drag = &exchange.coefficient[a][start], *fraction = &c.fraction[start];
+      double *mobility = &c.mobility[start], *coefficient = &pressure_equation_.coefficient[a][start];
+      const double per_spacing = 1.0 / spacing(a, 1);
+#pragma omp simd
       for (int k = c.first; k <= c.last; ++k) {
-        const std::size_t n = index(s, k, c.levels);
-        c.mobility[n] = c.stressed[n] / (c.inertia[n] + exchange.coefficient[a][n]);
-        pressure_equation_.coefficient[a][n] = c.fraction[n] * area * c.mobility[n] / spacing(a, k);
+        mobility[k] = stressed[k] / (inertia[k] + drag[k]);
+        coefficient[k] = fraction[k] * area * mobility[k] * per_spacing;
       }
+      if (a == vertical && c.last == layers)  // the outlet is half a cell away
+        coefficient[layers] = fraction[layers] * area * mobility[layers] / spacing(a, layers);
     }
   }
   for (std::size_t i = 0; i < grid_.size(); ++i) imbalance_[i] = -volume_change_[i];
@@ -720,9 +806,12 @@ double LiquidSolver::correct_pressure(const Exchange& exchange) {
       const double* flow = &c.flow[index(s, 0, c.levels)];
       double *lower = &imbalance_[index(owner[0], 0, layers)], *upper = &imbalance_[index(owner[1], 0, layers)];
       if (a == vertical) {
+#pragma omp simd
         for (int k = 0; k < layers; ++k) lower[k] += flow[k] - flow[k + 1];
       } else {
+#pragma omp simd
         for (int k = 0; k < layers; ++k) lower[k] -= flow[k];
+#pragma omp simd
         for (int k = 0; k < layers; ++k) upper[k] += flow[k];
       }
     }
@@ -736,7 +825,6 @@ double LiquidSolver::correct_pressure(const Exchange& exchange) {
   if (largest == 0.0) return 0.0;
 
   constexpr int most_iterations = 500;
-  std::fill(correction_.begin(), correction_.end(), 0.0);
   const auto [iterations, error] =
       pressure_equation_.solve(imbalance_, correction_, pressure_tolerance_, most_iterations);
   cost_.pressure_iterations += iterations;
@@ -746,9 +834,8 @@ double LiquidSolver::correct_pressure(const Exchange& exchange) {
                     iterations, error, pressure_tolerance_));
   for (std::size_t i = 0; i < grid_.size(); ++i) pressure_[i] += correction_[i];
   update_pressure_gradient<true>();
-  pressure_equation_.multiply(correction_, residual_);
-  for (std::size_t i = 0; i < grid_.size(); ++i)
-    continuity_error_ = std::max(continuity_error_, std::abs(imbalance_[i] - residual_[i]) / inlet_flow);
+  for (const double value : pressure_equation_.residual())
+    continuity_error_ = std::max(continuity_error_, std::abs(value) / inlet_flow);
   return largest;
 }
 
@@ -895,6 +982,7 @@ void LiquidSolver::restore(const State& state) {
   }
   earlier_volume_ = state[9];
   last_volume_ = state[10];
+  nodes_hold_last_volume_ = false;
   pressure_ = state[11];
   update_pressure_gradient<false>();
 }

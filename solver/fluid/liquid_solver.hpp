@@ -57,6 +57,8 @@ class LiquidSolver {
   void scatter(std::size_t component, const std::vector<double>& cells, std::vector<double>& nodes) const;
   /// Mean of a node quantity over the nodes of each cell: the adjoint of scatter.
   void gather(std::size_t component, const std::vector<double>& nodes, std::vector<double>& cells) const;
+  /// The same of the stress −∇p + ∇·τ, with the dynamic pressure [N/m³].
+  void gather_stress(std::size_t component, std::vector<double>& cells) const;
   [[nodiscard]] std::size_t nodes(std::size_t component) const { return component_[component].velocity.size(); }
   /// Where the velocity of a node is that of the liquid [m].
   [[nodiscard]] std::array<double, 3> position(std::size_t component, std::size_t node) const;
@@ -135,11 +137,13 @@ class LiquidSolver {
     std::array<std::vector<double>, 3> flux;  ///< the same through the links towards +x and +y and from below [m³/s]
     /// The momentum equations: weights of the neighbours towards −x, +x, −y, +y, −z, +z [kg/s].
     std::array<std::vector<double>, 6> coefficient;
-    std::vector<double> inertia, old_inertia, diagonal, right_hand_side, next, mobility;
-    std::vector<double> change, peak;  ///< scratch of the momentum sweeps, per level
-    double last_change = 0.0, largest = 0.0;
+    std::vector<double> inertia, old_inertia, diagonal, inverse_diagonal, right_hand_side, next, mobility;
+    std::vector<double> change, peak;       ///< scratch of the momentum sweeps, per level
+    double unsettled = 0.0, largest = 0.0;  ///< change that the sweeps leave to come, largest velocity [m/s]
   };
 
+  template <class Value>
+  void gather_values(std::size_t a, const Value& value, std::vector<double>& cells) const;
   void build_component(std::size_t a);
   void build_stencil(std::size_t a);
   void start_step(double time_step, const std::vector<double>& before, const std::vector<double>& now);
@@ -177,12 +181,15 @@ class LiquidSolver {
   bool settled_flow_;
   std::array<Component, 3> component_;
   std::vector<double> pressure_;
-  std::vector<double> volume_change_;  ///< ∂V_L/∂t per cell [m³/s]
-  std::vector<double> dilatation_;     ///< ∇·u per cell [1/s]
-  std::vector<double> earlier_volume_,
-      last_volume_;  ///< second order: liquid at the start and end of the last step [m³]
+  std::vector<double> volume_change_;    ///< ∂V_L/∂t per cell [m³/s]
+  std::vector<double> dilatation_;       ///< ∇·u per cell [1/s]
+  std::vector<double> earlier_volume_;   ///< second order: liquid at the start of the last step [m³]
+  std::vector<double> last_volume_;      ///< liquid at the end of the last step [m³]
+  bool nodes_hold_last_volume_ = false;  ///< Component::liquid_now is last_volume_, scattered
   PressureEquation pressure_equation_;
-  std::vector<double> imbalance_, correction_, residual_;
+  std::vector<double> imbalance_, correction_;
+  std::array<std::vector<double>, 3>
+      excess_;  ///< scratch of assemble: what convection carries beyond upwind, per level
   double continuity_error_ = 0.0;
   VerticalForces vertical_forces_;
   Cost cost_;

@@ -26,6 +26,7 @@ PressureEquation::PressureEquation(const ColumnGrid& grid, bool closed) : grid_(
   coefficient[2].assign(cells * (layers + 1), 0.0);
   for (auto* field : {&diagonal_, &residual_, &direction_, &image_, &preconditioned_}) field->assign(grid.size(), 0.0);
   transformed_.resize(grid.cells(), grid.layers());
+  scaled_.resize(grid.layers(), grid.cells());
 
   // Liquid without spheres: coefficients per area of the faces, of which only the section's Laplacian is needed.
   Eigen::MatrixXd section = Eigen::MatrixXd::Zero(grid.cells(), grid.cells());
@@ -41,7 +42,7 @@ PressureEquation::PressureEquation(const ColumnGrid& grid, bool closed) : grid_(
       lateral_sum_ += g;
     }
   const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> eigen(section, area.asDiagonal().toDenseMatrix());
-  modes_ = eigen.eigenvectors();
+  modes_ = eigen.eigenvectors().cast<float>();
   eigenvalues_ = eigen.eigenvalues().cwiseMax(0.0);
   pivot_.resize(grid.cells(), grid.layers());
   multiplier_.resize(grid.cells(), grid.layers());
@@ -84,10 +85,11 @@ void PressureEquation::update_preconditioner() {
     const double below = vertical_mean_[as_index(k)], next = vertical_mean_[as_index(k) + 1];
     // The mean of a closed column is free; any stiffness that ties it will do.
     const double tie = closed_ && k == 0 ? next : 0.0;
-    pivot_.col(k) =
+    const Eigen::ArrayXd pivot =
         (lateral_mean_[as_index(k)] * eigenvalues_.array() + (below + next + tie) - above * below).inverse();
-    above = next * pivot_.col(k).array();
-    multiplier_.col(k) = above;
+    above = next * pivot;
+    pivot_.col(k) = pivot.cast<float>();
+    multiplier_.col(k) = above.cast<float>();
   }
 }
 
@@ -114,18 +116,19 @@ void PressureEquation::multiply(const std::vector<double>& x, std::vector<double
     }
 }
 
-void PressureEquation::precondition(const std::vector<double>& residual, std::vector<double>& result) {
+void PressureEquation::precondition(const std::vector<double>& residual, double magnitude,
+                                    std::vector<double>& result) {
   const Eigen::Index layers = grid_.layers(), cells = grid_.cells();
-  const Eigen::Map<const Eigen::MatrixXd> in(residual.data(), layers, cells);
-  transformed_.noalias() = modes_.transpose() * in.transpose();
+  scaled_ = (Eigen::Map<const Eigen::MatrixXd>(residual.data(), layers, cells) / magnitude).cast<float>();
+  transformed_.noalias() = modes_.transpose() * scaled_.transpose();
   for (Eigen::Index k = 1; k < layers; ++k)
     transformed_.col(k).array() += multiplier_.col(k - 1).array() * transformed_.col(k - 1).array();
   transformed_.col(layers - 1).array() *= pivot_.col(layers - 1).array();
   for (Eigen::Index k = layers - 1; k-- > 0;)
     transformed_.col(k).array() = pivot_.col(k).array() * transformed_.col(k).array() +
                                   multiplier_.col(k).array() * transformed_.col(k + 1).array();
-  Eigen::Map<Eigen::MatrixXd> out(result.data(), layers, cells);
-  out.noalias() = transformed_.transpose() * modes_.transpose();
+  scaled_.noalias() = transformed_.transpose() * modes_.transpose();
+  Eigen::Map<Eigen::MatrixXd>(result.data(), layers, cells) = magnitude * scaled_.cast<double>();
 }
 
 PressureEquation::Outcome PressureEquation::solve(const std::vector<double>& b, std::vector<double>& x,
@@ -133,13 +136,13 @@ PressureEquation::Outcome PressureEquation::solve(const std::vector<double>& b, 
   update_diagonal();
   update_preconditioner();
   const std::size_t n = b.size();
-  multiply(x, image_);
-  for (std::size_t i = 0; i < n; ++i) residual_[i] = b[i] - image_[i];
-  const double wanted = tolerance * tolerance * dot(b, b), norm_b = std::sqrt(dot(b, b));
-  double squared = dot(residual_, residual_), previous = 0.0;
+  std::fill(x.begin(), x.end(), 0.0);
+  residual_ = b;
+  double squared = dot(b, b), previous = 0.0;
+  const double wanted = tolerance * tolerance * squared, norm_b = std::sqrt(squared);
   Outcome outcome;
   while (squared > wanted && outcome.iterations < most) {
-    precondition(residual_, preconditioned_);
+    precondition(residual_, std::sqrt(squared), preconditioned_);
     const double product = dot(residual_, preconditioned_);
     const double keep = outcome.iterations == 0 ? 0.0 : product / previous;
     for (std::size_t i = 0; i < n; ++i) direction_[i] = preconditioned_[i] + keep * direction_[i];

@@ -82,7 +82,8 @@ struct Contact {
 struct Coupling {
   std::string drag_law = "gidaspow-1994";
   VoidFractionScheme void_fraction = VoidFractionScheme::exact_overlap;
-  int meshing_pieces = 1214;  ///< particle meshing: pieces per sphere
+  int meshing_pieces = 1214;            ///< particle meshing: pieces per sphere
+  double void_fraction_interval = 0.0;  ///< between computations of the void fraction [s]; 0: in every liquid step
   MomentumExchange exchange = MomentumExchange::semi_implicit;
   Interpolation interpolation = Interpolation::shares;  ///< of voidage and liquid velocity at the spheres
   double added_mass = 0.0;                              ///< C_m, 0.5 for a sphere alone; 0: none [-]
@@ -132,7 +133,7 @@ struct Scene {
 
 inline constexpr double gravity = 9.81;  ///< [m/s²], as in every number of the paper
 
-/// Raised by hand when a change of the solver changes results; part of each run's name.
+/// Raised by hand when a change of the solver changes results by more than round-off; part of each run's name.
 inline constexpr int numerics_version = 4;
 
 }  // namespace slfb

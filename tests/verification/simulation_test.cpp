@@ -74,8 +74,12 @@ TEST(Simulation, IsBitwiseTheSameAtAnyNumberOfThreads) {
   expect_identical(one, run(scene, "three", 3));
 }
 
-TEST(Simulation, ContinuesAfterAStopAsIfNothingHadHappened) {
-  const Scene scene = small_bed(0.08);
+class Resumption : public testing::TestWithParam<double> {};
+
+// Also within an interval of the void fraction, here of two liquid steps.
+TEST_P(Resumption, ContinuesAfterAStopAsIfNothingHadHappened) {
+  Scene scene = small_bed(0.08);
+  scene.coupling.void_fraction_interval = GetParam();
   RunResult whole = run(scene, "whole", 1);
 
   RunOptions options;
@@ -85,7 +89,7 @@ TEST(Simulation, ContinuesAfterAStopAsIfNothingHadHappened) {
   do {
     std::atomic<bool> stop = false;
     // Stop at three awkward moments: in the packed bed, in the fluidised one, while a sphere falls.
-    const double moments[] = {0.2, 0.55, 0.95, 1e9};
+    const double moments[] = {0.2, 0.551, 0.952, 1e9};
     options.stop = &stop;
     options.progress = [&](const Progress& progress) {
       if (progress.simulated_seconds > moments[stops]) stop = true;
@@ -110,6 +114,8 @@ TEST(Simulation, ContinuesAfterAStopAsIfNothingHadHappened) {
   EXPECT_EQ(whole.bed.pressure_drop.back(), outcome.result.bed.pressure_drop.back());
   EXPECT_EQ(whole.particle_steps, outcome.result.particle_steps);
 }
+
+INSTANTIATE_TEST_SUITE_P(Simulation, Resumption, testing::Values(0.0, 2e-3));
 
 // A fluidised bed is carried by the liquid: Δp A is its buoyant weight, less what walls and distributor bear.
 TEST(Simulation, LiquidCarriesTheBed) {
