@@ -106,8 +106,9 @@ CampaignOutcome compute(Comparison& comparison, Tier tier, const std::vector<Cla
   const int jobs = options.jobs > 0 ? options.jobs : std::max(1, cores / options.threads);
   CampaignOutcome outcome;
   if (tier != Tier::correlation) {
-    fmt::print(stderr, "{} simulations, about {} on {} cores\n", comparison.candidates.size() * runs.size(),
-               format_duration(core_seconds / (jobs * options.threads)), jobs * options.threads);
+    fmt::print(stderr, "{} simulations, about {} on {} core{}\n", comparison.candidates.size() * runs.size(),
+               format_duration(core_seconds / (jobs * options.threads)), jobs * options.threads,
+               jobs * options.threads == 1 ? "" : "s");
     outcome = compare::simulate(comparison.candidates, runs,
                                 {.out = options.out, .jobs = jobs, .threads_per_run = options.threads});
   }

@@ -466,17 +466,16 @@ std::vector<std::string> uses_outside_range(const ComparedContactLaw& law, const
   std::vector<std::string> sentences;
   const auto look = [&](double overlap, const std::string& where) {
     if (!range.contains(overlap))
-      sentences.push_back(
-          fmt::format("{}: overlap of {:.2g} R*; the law is meant for at most {:g}", where, overlap, range.upper));
+      sentences.push_back(fmt::format("{} {:.2g} R*; the law is meant for at most {:g}", where, overlap, range.upper));
   };
   for (const double speed : {usual_speed, 1.0}) {
     const Impact impact = bed_impact(speed);
-    look(resolved(law, impact).overlap, words_of(impact));
+    look(resolved(law, impact).overlap, words_of(impact) + ": overlap of");
   }
-  // Recorded over the radius; two equal spheres have half of it as effective radius.
+  // Recorded over the radius, of which a wall makes all the effective one and an equal sphere half.
   for (const MeasuredPoint& point : measured_points(measured, "maximum_overlap_mean", "6in5W"))
-    look(2.0 * point.value,
-         fmt::format("Runs: deepest contact of the bed at {:.2f} m/s, mean over time", point.superficial_velocity));
+    look(2.0 * point.value, fmt::format("Runs at {:.2f} m/s: deepest overlap in the bed, mean over time, up to",
+                                        point.superficial_velocity));
   return sentences;
 }
 
