@@ -129,6 +129,18 @@ const ReferenceValue& Peng2014::at(std::string_view id) const {
   return found->second;
 }
 
+std::vector<WetBounce> gondret_2002() {
+  std::vector<WetBounce> bounces;
+  for (const auto& row : read_columns(reference_data_folder() / "gondret-2002" / "bounces.csv", 2))
+    bounces.push_back({row[0], row[1]});
+  return bounces;
+}
+
+StokesLimits joseph_2001() {
+  const auto row = read_columns(reference_data_folder() / "joseph-2001" / "stokes_limits.csv", 2).at(0);
+  return {row[0], row[1]};
+}
+
 std::filesystem::path reference_data_folder() { return std::filesystem::path(SLFB_SOURCE_DIR) / "reference-data"; }
 
 const Peng2014& peng_2014() {

@@ -56,6 +56,20 @@ class Peng2014 {
   std::vector<VoidagePoint> figure13_;
 };
 
+/// A measured bounce of a sphere on a wall in a liquid.
+struct WetBounce {
+  double stokes = 0.0;       ///< ρ_P U d/(9 μ) [-]
+  double restitution = 0.0;  ///< speed after over speed before [-]
+};
+/// Gondret, Lance & Petit (2002), two bounces.
+std::vector<WetBounce> gondret_2002();
+
+/// Joseph et al. (2001): no rebound below the first Stokes number, the dry restitution above the second [-].
+struct StokesLimits {
+  double no_rebound_below = 0.0, dry_above = 0.0;
+};
+StokesLimits joseph_2001();
+
 /// The folder reference-data/ of the source tree.
 std::filesystem::path reference_data_folder();
 

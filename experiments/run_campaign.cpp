@@ -44,8 +44,10 @@ Ending run_task(const Task& task, std::size_t number, const CampaignOptions& opt
   try {
     std::filesystem::create_directories(directory);
     write_scene_file(*task.scene, directory / "scene.toml");
-    if (const std::filesystem::path law = task.scene->coupling.drag_law; is_user_law(law.string()))
-      std::filesystem::copy_file(law, directory / "drag_law.cpp", std::filesystem::copy_options::overwrite_existing);
+    for (const auto& [law, name] : {std::pair{task.scene->coupling.drag_law, "drag_law.cpp"},
+                                    std::pair{task.scene->contact.law, "contact_law.cpp"}})
+      if (is_user_law(law))
+        std::filesystem::copy_file(law, directory / name, std::filesystem::copy_options::overwrite_existing);
     if (std::filesystem::exists(directory / "checkpoint.h5")) {
       display.message(fmt::format("{}: goes on from its last checkpoint", task.label));
     }

@@ -79,6 +79,40 @@ std::string badge_html(bool good, const std::string& word, const std::string& fo
                      good ? "reproduced" : "not-reproduced", good ? "✓" : "✗", escape_html(word), escape_html(found));
 }
 
+Section property_section(const std::vector<std::string>& laws, const std::vector<std::vector<PropertyCheck>>& checks,
+                         const std::string& introduction) {
+  std::vector<std::string> headings{"Property"};
+  for (const std::string& law : laws) headings.push_back(escape_html(law));
+  std::vector<std::vector<std::string>> rows;
+  for (std::size_t p = 0; p < checks[0].size(); ++p) {
+    std::vector<std::string> row{escape_html(checks[0][p].property)};
+    for (const auto& of_law : checks)
+      row.push_back(badge_html(of_law[p].holds, of_law[p].holds ? "holds" : "does not", of_law[p].found));
+    rows.push_back(std::move(row));
+  }
+  return {"properties", "Properties", "<p>" + escape_html(introduction) + "</p>\n" + table_html(headings, rows)};
+}
+
+Section range_section(const std::vector<RangeNotes>& notes) {
+  std::string html;
+  for (const RangeNotes& note : notes)
+    for (const std::string& sentence : note.sentences)
+      html += fmt::format("<li><b>{}</b>: {}</li>\n", escape_html(note.law), prose_html(sentence));
+  return {"ranges", "Outside their ranges",
+          html.empty() ? "<p>No law is used outside the range that it states for itself.</p>\n"
+                       : "<p>A law answers outside its range too; what it says there is nobody's claim.</p>\n<ul>\n" +
+                             html + "</ul>\n"};
+}
+
+std::string time_html(const std::string& what, const std::vector<std::string>& laws,
+                      const std::vector<double>& seconds) {
+  std::vector<std::vector<std::string>> rows;
+  for (std::size_t i = 0; i < laws.size(); ++i)
+    rows.push_back({escape_html(laws[i]), fmt::format("{:.1f} ns", 1e9 * seconds[i]),
+                    fmt::format("{:.2f}", seconds[i] / seconds[0])});
+  return "<p>" + escape_html(what) + "</p>\n" + table_html({"Law", "Time", "Beside the first"}, rows);
+}
+
 std::string pictures_html(const std::vector<Picture>& pictures) {
   std::string html;
   for (const Picture& picture : pictures)
@@ -147,7 +181,7 @@ ordered_json candidates_json(const std::vector<Candidate>& candidates, const std
   ordered_json answer;
   for (const Candidate& candidate : candidates)
     answer["candidates"].push_back({{"name", candidate.name},
-                                    {"override", candidate.override},
+                                    {"overrides", candidate.overrides},
                                     {"runs", candidate.runs},
                                     {"core_seconds", candidate.core_seconds},
                                     {"simulated_seconds", candidate.simulated_seconds}});

@@ -6,7 +6,8 @@
 #include <vector>
 
 #include "experiments/compare/candidates.hpp"
-#include "experiments/compare/drag_figures.hpp"
+#include "experiments/compare/picture.hpp"
+#include "experiments/compare/property_check.hpp"
 
 /// The parts of a comparison's report that do not depend on what is compared.
 namespace slfb::compare {
@@ -21,6 +22,21 @@ std::string table_html(const std::vector<std::string>& headings, const std::vect
 
 /// "✓ text" or "✗ text" as a badge with what was found below it.
 std::string badge_html(bool good, const std::string& word, const std::string& found);
+
+/// Which law has which of the properties, the laws side by side; `checks` by law.
+Section property_section(const std::vector<std::string>& laws, const std::vector<std::vector<PropertyCheck>>& checks,
+                         const std::string& introduction);
+
+/// Sentences about each law that is used outside its range; empty without any.
+struct RangeNotes {
+  std::string law;
+  std::vector<std::string> sentences;
+};
+Section range_section(const std::vector<RangeNotes>& notes);
+
+/// What one call of each law takes, beside the first. `what`: a sentence above the table.
+std::string time_html(const std::string& what, const std::vector<std::string>& laws,
+                      const std::vector<double>& seconds);
 
 std::string pictures_html(const std::vector<Picture>& pictures);
 

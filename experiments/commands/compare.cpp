@@ -14,6 +14,8 @@
 #include <stdexcept>
 #include <thread>
 
+#include "experiments/compare/bed_figures.hpp"
+#include "experiments/compare/contact_report.hpp"
 #include "experiments/compare/drag_report.hpp"
 #include "experiments/measure.hpp"
 #include "experiments/run_estimate.hpp"
@@ -33,15 +35,22 @@ constexpr const char* examples = R"(Examples:
   slfb compare --drag mine.cpp                        beside the paper's law, gidaspow-1994
   slfb compare --drag gidaspow-1994,di-felice-1994,mine.cpp --tier correlation
   slfb compare --drag mine.cpp --tier 3d --experiments fig10,table2
+  slfb compare --template contact > contact.cpp       a contact law to start from
+  slfb compare --contact linear,hertz,contact.cpp
+  slfb compare --contact "linear,linear:stiffness=4e3 N/m:time_step=5e-5 s" --tier correlation
   slfb compare --void-fraction exact-overlap,particle-meshing,centroid
 
-The first of a list is what the others are compared with. Tiers: `correlation` simulates nothing (seconds); `1d` drops
-the sphere through a slice of the bed in a one-dimensional liquid (about a minute); `3d` is the bed of the paper with
-the settings of the profile quick (minutes per law and velocity). Simulations are kept in DIR/runs and not repeated;
-the report lies in DIR/compare/KIND/index.html, with the figures, claims.csv and compare.json beside it.)";
+The first of a list is what the others are compared with. A contact law takes parameters: LAW:KEY=VALUE with a key of
+[contact] of a scene; `hertz` alone has the modulus that makes collisions of the bed as long as those of `linear`.
+
+Tiers: `correlation` simulates no bed (seconds: formulas, and collisions of two bodies); `1d` drops the sphere through
+a slice of the bed in a one-dimensional liquid (about a minute); `3d` is the bed of the paper with the settings of the
+profile quick (minutes per law and velocity). Simulations are kept in DIR/runs and not repeated; the report lies in
+DIR/compare/KIND/index.html, with the figures, claims.csv and compare.json beside it. A law from a file is compiled
+when it is used: that needs a C++20 compiler, $CXX or the one that built slfb.)";
 
 struct Options {
-  std::vector<std::string> drag, void_fraction, experiments;
+  std::vector<std::string> drag, contact, void_fraction, experiments;
   std::string template_kind;
   std::string tier = "1d";
   std::vector<double> velocities;
@@ -65,9 +74,7 @@ std::string read_file(const fs::path& file) {
 }
 
 std::string about_tier(Tier tier, const std::vector<RunSpec>& runs) {
-  if (tier == Tier::correlation)
-    return "Nothing was simulated: the claims are answered by the homogeneous bed and the balance of forces without "
-           "collisions, which gives an upper limit of V_2.";
+  if (tier == Tier::correlation) return "No bed was simulated.";
   std::vector<std::string> velocities;
   for (const RunSpec& run : runs) velocities.push_back(fmt::format("{:.2f}", run.superficial_velocity));
   const std::string at = fmt::format(" At {} m/s.", fmt::join(velocities, ", "));
@@ -91,7 +98,7 @@ CampaignOutcome compute(Comparison& comparison, Tier tier, const std::vector<Cla
   double core_seconds = 0.0;
   for (const Candidate& candidate : comparison.candidates)
     for (RunSpec run : runs) {
-      run.overrides.push_back(candidate.override);
+      run.overrides.insert(run.overrides.end(), candidate.overrides.begin(), candidate.overrides.end());
       const Scene scene = load_run_scene(run);
       if (!fs::exists(result_file(options.out, scene_hash(scene)))) core_seconds += estimate_run(scene).core_seconds;
     }
@@ -99,8 +106,9 @@ CampaignOutcome compute(Comparison& comparison, Tier tier, const std::vector<Cla
   const int jobs = options.jobs > 0 ? options.jobs : std::max(1, cores / options.threads);
   CampaignOutcome outcome;
   if (tier != Tier::correlation) {
-    fmt::print(stderr, "{} simulations, about {} on {} cores\n", comparison.candidates.size() * runs.size(),
-               format_duration(core_seconds / (jobs * options.threads)), jobs * options.threads);
+    fmt::print(stderr, "{} simulations, about {} on {} core{}\n", comparison.candidates.size() * runs.size(),
+               format_duration(core_seconds / (jobs * options.threads)), jobs * options.threads,
+               jobs * options.threads == 1 ? "" : "s");
     outcome = compare::simulate(comparison.candidates, runs,
                                 {.out = options.out, .jobs = jobs, .threads_per_run = options.threads});
   }
@@ -111,7 +119,8 @@ CampaignOutcome compute(Comparison& comparison, Tier tier, const std::vector<Cla
 void write_report(const Comparison& comparison, Tier tier, const std::vector<Claim>& claims,
                   const std::vector<RunSpec>& runs, std::vector<compare::Section> sections,
                   const std::string& extra_cost, const nlohmann::ordered_json& extra_json, const fs::path& folder) {
-  sections.push_back(compare::claims_section(comparison.candidates, claims));
+  if (tier != Tier::correlation || comparison.kind == "drag")
+    sections.push_back(compare::claims_section(comparison.candidates, claims));
   sections.push_back(compare::cost_section(comparison.candidates, extra_cost));
   std::vector<std::string> names;
   for (const Candidate& candidate : comparison.candidates) names.push_back(candidate.name);
@@ -150,6 +159,16 @@ void print_candidates(const std::vector<Candidate>& candidates, std::size_t clai
   print_row("core time per simulated second", cells);
 }
 
+void print_missing_properties(const std::string& law, const std::vector<compare::PropertyCheck>& properties) {
+  for (const auto& check : properties)
+    if (!check.holds) fmt::print("{}: not so: {} ({})\n", law, check.property, check.found);
+}
+
+void print_range_notes(const std::vector<compare::RangeNotes>& notes) {
+  for (const auto& [law, sentences] : notes)
+    for (const std::string& sentence : sentences) fmt::print("{}: outside its range: {}\n", law, sentence);
+}
+
 int finish(const CampaignOutcome& outcome, const fs::path& folder) {
   fmt::print("\nreport: {}\n", (folder / "index.html").string());
   if (outcome.unfinished() > 0)
@@ -170,7 +189,7 @@ int compare_drag(const Options& options) {
   const std::vector<RunSpec> runs = compare::runs_of(tier, claims, options.velocities);
   Comparison comparison{"drag", "Drag laws side by side", {}};
   for (const auto& compared : laws) {
-    Candidate candidate{compared.name(), "coupling.drag_law=" + compared.argument, {}, {}};
+    Candidate candidate{compared.name(), {"coupling.drag_law=" + compared.argument}, {}, {}};
     if (tier == Tier::correlation) candidate.measurements = compare::measure_homogeneous_bed(compared.law);
     comparison.candidates.push_back(std::move(candidate));
   }
@@ -178,7 +197,11 @@ int compare_drag(const Options& options) {
   const CampaignOutcome outcome = compute(comparison, tier, claims, runs, options);
 
   const fs::path folder = options.out / "compare" / comparison.kind;
-  const auto sections = compare::drag_sections(laws, findings, comparison.candidates, folder);
+  auto sections = compare::drag_sections(laws, findings, comparison.candidates, folder);
+  std::vector<compare::RangeNotes> notes;
+  for (std::size_t i = 0; i < laws.size(); ++i)
+    notes.push_back({laws[i].name(), compare::uses_outside_range(laws[i].law, comparison.candidates[i].measurements)});
+  sections.push_back(compare::range_section(notes));
   write_report(comparison, tier, claims, runs, sections, compare::evaluation_cost_html(laws, findings),
                compare::drag_json(laws, findings), folder);
 
@@ -198,9 +221,69 @@ int compare_drag(const Options& options) {
   print_row("V_2 by force balance at 0.10 m/s [m/s]", falls);
   print_row("one evaluation", nanoseconds);
   print_candidates(comparison.candidates, claims.size());
+  for (std::size_t i = 0; i < laws.size(); ++i) print_missing_properties(laws[i].name(), findings[i].properties);
+  print_range_notes(notes);
+  return finish(outcome, folder);
+}
+
+int compare_contact(const Options& options) {
+  std::vector<std::string> arguments = options.contact;
+  if (arguments.size() == 1 && arguments[0] != "linear") arguments.insert(arguments.begin(), "linear");
+  if (arguments.size() < 2)
+    throw std::invalid_argument("--contact linear: nothing to compare it with; name another law too, or parameters");
+  const Tier tier = tier_named(options.tier);
+  const std::vector<Claim> claims = compare::claims_of_runs(options.experiments);
+  const std::vector<RunSpec> runs = compare::runs_of(tier, claims, options.velocities);
+  // Without a bed, the contacts are still those of the slice.
+  const RunSpec scene =
+      runs.empty() ? compare::runs_of(Tier::one_dimensional, claims, options.velocities).front() : runs.front();
+  const auto laws = compare::compared_contact_laws(arguments, scene);
+  Comparison comparison{"contact", "Contact laws side by side", {}};
+  std::vector<compare::ContactFindings> findings;
+  for (const auto& law : laws) {
+    comparison.candidates.push_back({law.name, law.overrides, {}, {}});
+    findings.push_back(compare::find_out(law));
+  }
+  const CampaignOutcome outcome = compute(comparison, tier, claims, runs, options);
+
+  const fs::path folder = options.out / "compare" / comparison.kind;
+  auto sections = compare::contact_sections(laws, findings, comparison.candidates, folder);
+  std::vector<compare::RangeNotes> notes;
   for (std::size_t i = 0; i < laws.size(); ++i)
-    for (const auto& check : findings[i].properties)
-      if (!check.holds) fmt::print("{}: not so: {} ({})\n", laws[i].name(), check.property, check.found);
+    notes.push_back({laws[i].name, compare::uses_outside_range(laws[i], comparison.candidates[i].measurements)});
+  sections.push_back(compare::range_section(notes));
+  write_report(comparison, tier, claims, runs, sections, compare::contact_cost_html(laws, findings),
+               compare::contact_json(laws, findings), folder);
+
+  const auto row = [&](const std::string& name, auto cell) {
+    std::vector<std::string> cells;
+    for (std::size_t i = 0; i < laws.size(); ++i) cells.push_back(cell(laws[i], findings[i]));
+    print_row(name, cells);
+  };
+  using Law = compare::ComparedContactLaw;
+  using Found = compare::ContactFindings;
+  row("", [](const Law& law, const Found&) { return law.name; });
+  row("properties that hold", [](const Law&, const Found& found) {
+    return fmt::format("{} of {}", std::ranges::count(found.properties, true, &compare::PropertyCheck::holds),
+                       found.properties.size());
+  });
+  row("restitution at 0.1 m/s",
+      [](const Law&, const Found& found) { return fmt::format("{:.4f}", found.usual.restitution); });
+  row("  with the step of the scene", [](const Law&, const Found& found) {
+    return fmt::format("{:.4f} to {:.4f}", found.usual_at_step.lowest, found.usual_at_step.highest);
+  });
+  row("contact time [s]", [](const Law&, const Found& found) { return fmt::format("{:.3g}", found.usual.duration); });
+  row("peak force [N]", [](const Law&, const Found& found) { return fmt::format("{:.3g}", found.usual.peak_force); });
+  row("steps per contact", [](const Law& law, const Found& found) {
+    return fmt::format("{:.1f}", found.usual.duration / law.contact.time_step);
+  });
+  row("largest stable step 2/ω [s]",
+      [](const Law&, const Found& found) { return fmt::format("{:.3g}", found.stability_limit); });
+  row("one contact",
+      [](const Law&, const Found& found) { return fmt::format("{:.1f} ns", 1e9 * found.seconds_per_contact); });
+  if (tier != Tier::correlation) print_candidates(comparison.candidates, claims.size());
+  for (std::size_t i = 0; i < laws.size(); ++i) print_missing_properties(laws[i].name, findings[i].properties);
+  print_range_notes(notes);
   return finish(outcome, folder);
 }
 
@@ -222,11 +305,14 @@ int compare_void_fraction(const Options& options) {
   const std::vector<RunSpec> runs = compare::runs_of(tier, claims, options.velocities);
   Comparison comparison{"void-fraction", "Void-fraction schemes side by side", {}};
   for (const std::string& name : options.void_fraction)
-    comparison.candidates.push_back({name, "coupling.void_fraction=" + name, {}, {}});
+    comparison.candidates.push_back({name, {"coupling.void_fraction=" + name}, {}, {}});
   const CampaignOutcome outcome = compute(comparison, tier, claims, runs, options);
   const fs::path folder = options.out / "compare" / comparison.kind;
-  fs::create_directories(folder);
-  write_report(comparison, tier, claims, runs, {}, "", nullptr, folder);
+  std::vector<compare::Section> sections{
+      {"bed", "In the bed",
+       "<p>What the runs measured, beside the paper and the correlations.</p>\n" +
+           compare::pictures_html(compare::draw_bed_pictures(comparison.candidates, folder / "figures"))}};
+  write_report(comparison, tier, claims, runs, sections, "", nullptr, folder);
   print_row("", options.void_fraction);
   print_candidates(comparison.candidates, claims.size());
   return finish(outcome, folder);
@@ -243,13 +329,20 @@ void add_compare_command(CLI::App& app) {
       command->add_option("--drag", options->drag, "Drag laws: names from `slfb laws --kind drag`, or C++ files")
           ->delimiter(',')
           ->type_name("LAW,LAW,...");
+  auto* contact =
+      command
+          ->add_option("--contact", options->contact, "Contact laws: linear, hertz, or C++ files, each with parameters")
+          ->delimiter(',')
+          ->type_name("LAW[:KEY=VALUE],...");
   auto* void_fraction = command->add_option("--void-fraction", options->void_fraction, "Void-fraction schemes")
                             ->delimiter(',')
                             ->type_name("SCHEME,...");
   auto* print_template =
-      command->add_option("--template", options->template_kind, "Print a file to start an own law from: drag")
-          ->check(CLI::IsMember({"drag"}));
-  drag->excludes(void_fraction)->excludes(print_template);
+      command
+          ->add_option("--template", options->template_kind, "Print a file to start an own law from: drag or contact")
+          ->check(CLI::IsMember({"drag", "contact"}));
+  drag->excludes(contact)->excludes(void_fraction)->excludes(print_template);
+  contact->excludes(void_fraction)->excludes(print_template);
   void_fraction->excludes(print_template);
   command->add_option("--tier", options->tier, "How much to simulate: correlation, 1d or 3d")
       ->check(CLI::IsMember(tier_names))
@@ -277,10 +370,12 @@ void add_compare_command(CLI::App& app) {
                                (options->template_kind + "_law.cpp"));
       } else if (!options->drag.empty()) {
         status = compare_drag(*options);
+      } else if (!options->contact.empty()) {
+        status = compare_contact(*options);
       } else if (!options->void_fraction.empty()) {
         status = compare_void_fraction(*options);
       } else {
-        throw CLI::ValidationError("needed is one of --drag, --void-fraction and --template");
+        throw CLI::ValidationError("needed is one of --drag, --contact, --void-fraction and --template");
       }
     } catch (const std::invalid_argument& error) {  // an unknown name
       throw CLI::ValidationError(error.what());

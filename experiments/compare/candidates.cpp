@@ -37,7 +37,7 @@ std::vector<RunSpec> all_runs(Tier tier) {
 }
 
 RunSpec with(RunSpec run, const Candidate& candidate) {
-  run.overrides.push_back(candidate.override);
+  run.overrides.insert(run.overrides.end(), candidate.overrides.begin(), candidate.overrides.end());
   return run;
 }
 

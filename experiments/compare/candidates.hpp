@@ -21,7 +21,7 @@ enum class Tier {
 /// One of the things compared: what it is called and what it changes in a scene.
 struct Candidate {
   std::string name;
-  std::string override;  ///< "coupling.drag_law=mine.cpp"
+  std::vector<std::string> overrides;  ///< {"coupling.drag_law=mine.cpp"}
   Measurements measurements;
   std::vector<Evaluation> evaluations;  ///< of the claims of the comparison, in their order
   std::size_t runs = 0;

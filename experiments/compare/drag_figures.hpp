@@ -6,13 +6,9 @@
 
 #include "experiments/compare/candidates.hpp"
 #include "experiments/compare/drag_study.hpp"
+#include "experiments/compare/picture.hpp"
 
 namespace slfb::compare {
-
-/// A picture of a comparison: ID.svg, ID.png, ID.csv and ID.gp in its folder, and what it shows.
-struct Picture {
-  std::string id, title, caption;
-};
 
 /// Draws the surfaces of the laws, their ratio to each law of the literature, the expansion of the bed and the
 /// classification velocity, the latter with what the candidates' runs have measured.

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "correlations/drag/drag_laws.hpp"
+#include "experiments/compare/drag_figures.hpp"
 #include "experiments/paper_conditions.hpp"
 #include "reports/html.hpp"
 #include "solver/user_law.hpp"
@@ -21,6 +22,12 @@ constexpr std::array shown_velocities{0.06, 0.08, 0.10};
 std::string range_text(const Range& range) {
   if (std::isinf(range.upper)) return range.lower == 0.0 ? "any" : "≥ " + readable_number(range.lower);
   return readable_number(range.lower) + " … " + readable_number(range.upper);
+}
+
+std::vector<std::string> names_of(const std::vector<ComparedDragLaw>& laws) {
+  std::vector<std::string> names;
+  for (const auto& compared : laws) names.push_back(compared.name());
+  return names;
 }
 
 Section laws_section(const std::vector<ComparedDragLaw>& laws) {
@@ -52,23 +59,6 @@ Section ratio_section(const std::vector<ComparedDragLaw>& laws) {
   return {"ratios", "Ratio to the literature",
           "<p>Median, smallest and largest ratio of the law over each law of the literature where the ranges of both "
           "meet, over voidage and log Re in even steps.</p>\n" +
-              table_html(headings, rows)};
-}
-
-Section property_section(const std::vector<ComparedDragLaw>& laws, const std::vector<DragFindings>& findings) {
-  std::vector<std::string> headings{"Property"};
-  for (const auto& compared : laws) headings.push_back(escape_html(compared.name()));
-  std::vector<std::vector<std::string>> rows;
-  for (std::size_t p = 0; p < findings[0].properties.size(); ++p) {
-    std::vector<std::string> row{escape_html(findings[0].properties[p].property)};
-    for (const auto& finding : findings)
-      row.push_back(badge_html(finding.properties[p].holds, finding.properties[p].holds ? "holds" : "does not",
-                               finding.properties[p].found));
-    rows.push_back(std::move(row));
-  }
-  return {"properties", "Properties",
-          "<p>Looked for on a grid in the range that the law states for itself. A law that lacks one is not useless, "
-          "but it is used with open eyes.</p>\n" +
               table_html(headings, rows)};
 }
 
@@ -121,20 +111,22 @@ std::vector<Section> drag_sections(const std::vector<ComparedDragLaw>& laws, con
   std::vector<Picture> pictures = draw_drag_pictures(laws, candidates, folder / "figures");
   const auto of_bed = pictures.end() - 2;
   const std::string surfaces = pictures_html({pictures.begin(), of_bed}), bed = pictures_html({of_bed, pictures.end()});
+  std::vector<std::vector<PropertyCheck>> properties;
+  for (const DragFindings& finding : findings) properties.push_back(finding.properties);
   return {laws_section(laws),
           {"surfaces", "Beside the literature", surfaces},
           ratio_section(laws),
-          property_section(laws, findings),
+          property_section(names_of(laws), properties,
+                           "Looked for on a grid in the range that the law states for itself. A law that lacks one is "
+                           "not useless, but it is used with open eyes."),
           bed_section(laws, findings, bed)};
 }
 
 std::string evaluation_cost_html(const std::vector<ComparedDragLaw>& laws, const std::vector<DragFindings>& findings) {
-  std::vector<std::vector<std::string>> rows;
-  for (std::size_t i = 0; i < laws.size(); ++i)
-    rows.push_back({escape_html(laws[i].name()), fmt::format("{:.1f} ns", 1e9 * findings[i].seconds_per_evaluation),
-                    fmt::format("{:.2f}", findings[i].seconds_per_evaluation / findings[0].seconds_per_evaluation)});
-  return "<p>One evaluation in blocks of 256 spheres on one core, the fastest of twenty rounds:</p>\n" +
-         table_html({"Law", "Time", "Beside the first"}, rows);
+  std::vector<double> seconds;
+  for (const DragFindings& finding : findings) seconds.push_back(finding.seconds_per_evaluation);
+  return time_html("One evaluation in blocks of 256 spheres on one core, the fastest of twenty rounds:", names_of(laws),
+                   seconds);
 }
 
 ordered_json drag_json(const std::vector<ComparedDragLaw>& laws, const std::vector<DragFindings>& findings) {

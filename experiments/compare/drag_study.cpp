@@ -13,6 +13,7 @@
 #include "correlations/classification/force_balance.hpp"
 #include "correlations/drag/single_sphere/brown_lawler_2003.hpp"
 #include "correlations/fluidisation/bed_expansion.hpp"
+#include "experiments/figure_support.hpp"
 #include "experiments/measure.hpp"
 #include "experiments/paper_conditions.hpp"
 #include "solver/user_law.hpp"
@@ -24,6 +25,11 @@ constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
 
 bool in_range(const LawInfo& info, double voidage, double reynolds) {
   return info.voidage.contains(voidage) && info.reynolds.contains(reynolds);
+}
+
+std::string words_of(const Range& range) {
+  return std::isinf(range.upper) ? fmt::format("{:g} and more", range.lower)
+                                 : fmt::format("{:g} to {:g}", range.lower, range.upper);
 }
 
 /// Calls use(voidage, reynolds) at the points of the grid in the range of a law.
@@ -279,6 +285,46 @@ Measurements measure_homogeneous_bed(const drag::DragLawKernels& law) {
     put(measure_key("classification_velocity", "6in5W", row.superficial_velocity), bed.classification_velocity, "m/s");
   }
   return found;
+}
+
+std::vector<std::string> uses_outside_range(const drag::DragLawKernels& law, const Measurements& measured) {
+  std::vector<std::string> sentences;
+  const auto look = [&](const std::string& what, const Range& range, const std::vector<MeasuredPoint>& points) {
+    std::vector<MeasuredPoint> outside;
+    std::ranges::copy_if(points, std::back_inserter(outside), [&](const MeasuredPoint& point) {
+      return std::isfinite(point.value) && !range.contains(point.value);
+    });
+    if (outside.empty()) return;
+    const auto [least, most] = std::ranges::minmax(outside, {}, &MeasuredPoint::value);
+    const auto [slowest, fastest] = std::ranges::minmax(outside, {}, &MeasuredPoint::superficial_velocity);
+    const auto interval = [](const std::string& from, const std::string& to) {
+      return from == to ? from : from + " to " + to;
+    };
+    sentences.push_back(fmt::format("{} {} at {} m/s; the law is meant for {}", what,
+                                    interval(fmt::format("{:.4g}", least.value), fmt::format("{:.4g}", most.value)),
+                                    interval(fmt::format("{:.2f}", slowest.superficial_velocity),
+                                             fmt::format("{:.2f}", fastest.superficial_velocity)),
+                                    words_of(range)));
+  };
+  const LiquidProperties water = paper::water();
+  const Sphere glass = paper::glass(0.005), steel = paper::steel(0.006);
+  std::vector<MeasuredPoint> voidages, bed_spheres, steel_spheres;
+  for (const Table2Row& row : peng_2014().table2()) {
+    const double velocity = row.superficial_velocity;
+    const HomogeneousBed bed = homogeneous_bed(law, velocity);
+    if (std::isnan(bed.classification_velocity)) continue;
+    const double slip = bed.classification_velocity + velocity / bed.voidage;
+    voidages.push_back({velocity, bed.voidage});
+    bed_spheres.push_back({velocity, reynolds_number(water, glass.diameter, velocity)});
+    steel_spheres.push_back({velocity, reynolds_number(water, steel.diameter, bed.voidage * slip)});
+  }
+  look("Homogeneous bed: voidage", law.info.voidage, voidages);
+  look("Homogeneous bed: Re of the glass", law.info.reynolds, bed_spheres);
+  look("Homogeneous bed: Re of the steel sphere", law.info.reynolds, steel_spheres);
+  look("Runs: lowest voidage at the steel sphere", law.info.voidage,
+       measured_points(measured, "local_voidage_minimum", "6in5W"));
+  look("Runs: Re of the steel sphere", law.info.reynolds, measured_points(measured, "terminal_reynolds", "6in5W"));
+  return sentences;
 }
 
 double seconds_per_evaluation(const drag::DragLawKernels& law) {

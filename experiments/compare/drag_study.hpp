@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "correlations/drag/drag_law_kernels.hpp"
+#include "experiments/compare/property_check.hpp"
 #include "experiments/measurement.hpp"
 
 /// What a drag law says before anything is simulated: its surface, its properties, and the homogeneous bed it makes.
@@ -36,12 +37,7 @@ struct DragRatio {
 };
 DragRatio drag_ratio(const drag::DragLawKernels& law, const drag::DragLawKernels& other);
 
-/// One property that a drag law should have, looked for in the law's own range.
-struct PropertyCheck {
-  std::string property;
-  bool holds;
-  std::string found;  ///< the number behind the verdict, and where
-};
+/// The properties that a drag law should have, looked for in the law's own range.
 std::vector<PropertyCheck> check_properties(const drag::DragLawKernels& law);
 
 /// Superficial velocity that carries 5 mm glass in water at that voidage [m/s]; NaN where there is none.
@@ -58,6 +54,10 @@ HomogeneousBed homogeneous_bed(const drag::DragLawKernels& law, double superfici
 /// What measure_runs would find, as far as the homogeneous bed answers it, under the same keys: U_mf, voidage and
 /// classification velocity at the velocities of Table 2.
 Measurements measure_homogeneous_bed(const drag::DragLawKernels& law);
+
+/// Where a law is used outside the range that it states for itself, one sentence each: in the homogeneous bed at the
+/// velocities of Table 2, and in runs, by the Reynolds numbers and voidages measured in them.
+std::vector<std::string> uses_outside_range(const drag::DragLawKernels& law, const Measurements& measured);
 
 /// Time of one evaluation in blocks of 256 on one core [s].
 double seconds_per_evaluation(const drag::DragLawKernels& law);

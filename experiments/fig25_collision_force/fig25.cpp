@@ -21,8 +21,6 @@ bool wanted(const RunSpec& spec) { return spec.system == system_name && spec.sup
 std::vector<std::string> needs(const Profile& profile) { return select_run_keys(profile, wanted); }
 
 FigureOutput draw(const FigureContext& context) {
-  using Foreign = collision::Grbavcic2009<collision::DisplacedDrag::of_foreign_sphere>;
-  using Bed = collision::Grbavcic2009<collision::DisplacedDrag::of_bed_spheres>;
   const auto keys = needs(context.profile);
   FigureOutput output{"fig25", {}, "", run_notes(context, keys)};
   output.caption =
@@ -35,7 +33,25 @@ FigureOutput draw(const FigureContext& context) {
       "symbols: our runs with 95 % intervals (mean magnitude of the contact force from entering the bed to the "
       "bottom).";
 
-  DataTable curves{"fig25_laws",
+  output.data.push_back(write_csv(collision_force_laws("fig25"), context.out));
+  output.data.push_back(write_csv(van_der_wielen_of_table_2("fig25_van_der_wielen"), context.out));
+
+  const std::string simulated = plot_variants_against_bed("collision_force_ratio", "force over weight [-]", system_name,
+                                                          BedAbscissa::voidage, context, output);
+  const std::string script =
+      "set key tmargin left vertical maxrows 9 Left reverse font ',12'\nset xrange [0.4:1]\nset yrange [0:1.25]\nset "
+      "ytics 0.25\n" +
+      collision_force_plot("fig25") + simulated + "\n";
+  draw_figure_of_runs("fig25", script, {520, 520}, context, keys);
+  return output;
+}
+
+}  // namespace
+
+DataTable collision_force_laws(const std::string& name) {
+  using Foreign = collision::Grbavcic2009<collision::DisplacedDrag::of_foreign_sphere>;
+  using Bed = collision::Grbavcic2009<collision::DisplacedDrag::of_bed_spheres>;
+  DataTable curves{name,
                    {"voidage [-]", "Eq. 40 [-]", "Grbavcic 2009 with f = 0 and the foreign sphere [-]",
                     "Grbavcic 2009 with f = 0 and the bed spheres [-]"},
                    {}};
@@ -47,41 +63,35 @@ FigureOutput draw(const FigureContext& context) {
          collision::Peng2014::info.voidage.contains(voidage) ? collision::Peng2014{}(state, 0.0) : std::nan(""),
          Foreign{0.0}(state), Bed{0.0}(state)});
   }
-  output.data.push_back(write_csv(curves, context.out));
+  return curves;
+}
 
-  DataTable wielen{"fig25_van_der_wielen",
+DataTable van_der_wielen_of_table_2(const std::string& name) {
+  DataTable points{name,
                    {"superficial velocity [m/s]", "voidage by Eq. 36 [-]", "classification velocity of Table 2 [m/s]",
                     "force over weight [-]"},
                    {}};
   for (const auto& row : peng_2014().table2()) {
     const auto state = paper::steel_in_glass(row.superficial_velocity);
-    wielen.rows.push_back({row.superficial_velocity, state.voidage, row.classification_velocity,
+    points.rows.push_back({row.superficial_velocity, state.voidage, row.classification_velocity,
                            collision::VanDerWielen1996{}(state, row.classification_velocity)});
   }
-  output.data.push_back(write_csv(wielen, context.out));
+  return points;
+}
 
-  const std::string simulated = plot_variants_against_bed("collision_force_ratio", "force over weight [-]", system_name,
-                                                          BedAbscissa::voidage, context, output);
-  const std::string script =
-      "set key tmargin left vertical maxrows 9 Left reverse font ',12'\nset xrange [0.4:1]\nset yrange [0:1.25]\nset "
-      "ytics 0.25\n"
+std::string collision_force_plot(const std::string& name) {
+  return fmt::format(
       "set style fill transparent solid 0.18 noborder\n"
       "set xlabel 'voidage α_L [-]'\nset ylabel 'collision force over weight, |F_c|/mg [-]'\n"
-      "plot 'fig25_laws.csv' skip 1 using 1:3 with filledcurves y=0 linecolor rgb law_four title 'Grbavčić, foreign "
-      "sphere', "
+      "plot '{0}.csv' skip 1 using 1:3 with filledcurves y=0 linecolor rgb law_four title 'Grbavčić, foreign sphere', "
       "'' skip 1 using 1:3 with lines linestyle 14 notitle, "
       "'' skip 1 using 1:4 with filledcurves y=0 linecolor rgb law_three title 'Grbavčić, bed spheres', "
       "'' skip 1 using 1:4 with lines linestyle 13 notitle, "
-      "'fig25_van_der_wielen.csv' skip 1 using 2:4 with linespoints linestyle 12 pointtype 12 pointsize 0.5 title 'van "
-      "der "
-      "Wielen with V_2 of Table 2', "
-      "'fig25_laws.csv' skip 1 using 1:2 with lines linestyle 1 title 'paper, Eq. 40'" +
-      simulated + "\n";
-  draw_figure_of_runs("fig25", script, {520, 520}, context, keys);
-  return output;
+      "'{0}_van_der_wielen.csv' skip 1 using 2:4 with linespoints linestyle 12 pointtype 12 pointsize 0.5 title 'van "
+      "der Wielen with V_2 of Table 2', "
+      "'{0}.csv' skip 1 using 1:2 with lines linestyle 1 title 'paper, Eq. 40'",
+      name);
 }
-
-}  // namespace
 
 Figure fig25() {
   return {"fig25", "Collision force on the foreign particle against the voidage", needs, draw, "fig25_collision_force"};

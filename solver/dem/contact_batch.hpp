@@ -52,8 +52,8 @@ struct ContactBatch {
 ///
 /// The contact plane halves the overlap of two spheres; at a wall it is the wall. So the lever arms of a pair add up to
 /// the distance of the centres, which conserves angular momentum.
-template <bool AtWall, class Law, class Rolling>
-void compute_contacts(ContactBatch& b, std::size_t count, const Law& law, const CoulombFriction& friction,
+template <bool AtWall, class Law, class Friction, class Rolling>
+void compute_contacts(ContactBatch& b, std::size_t count, const Law& law, const Friction& friction,
                       const Rolling& rolling, double time_step) {
 #ifdef __clang__
 #pragma clang loop vectorize(assume_safety)

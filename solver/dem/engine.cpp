@@ -9,7 +9,7 @@
 #include <tuple>
 #include <utility>
 
-#include "solver/dem/hertz_mindlin.hpp"
+#include "solver/user_law.hpp"
 
 namespace slfb::dem {
 namespace {
@@ -46,11 +46,6 @@ void permute(std::vector<T>& values, const std::vector<std::uint32_t>& order, st
   for (std::size_t s = 0; s < order.size(); ++s)
     for (std::size_t k = 0; k < per_item; ++k) scratch[s * per_item + k] = values[order[s] * per_item + k];
   values.swap(scratch);
-}
-
-template <class Law>
-double stiffness_of(const Contact& contact, bool at_wall, double overlap, double effective_radius) {
-  return Law(contact, at_wall)(overlap, 0.0, 0.0, effective_radius).stiffness;
 }
 
 }  // namespace
@@ -122,11 +117,10 @@ Engine::Engine(const Contact& contact, std::vector<Wall> walls, std::array<doubl
       period_(period),
       time_step_(contact.time_step),
       threads_(threads),
-      periodic_(period[0] > 0.0 || period[1] > 0.0 || period[2] > 0.0) {
-  if (contact.law == ContactLaw::linear)
-    choose_rolling<LinearSpringDashpot>();
-  else
-    choose_rolling<HertzMindlin>();
+      periodic_(period[0] > 0.0 || period[1] > 0.0 || period[2] > 0.0),
+      law_(find_contact_law(contact.law)),
+      rolling_(rolling_place(contact)),
+      rolling_remembers_(contact.rolling_friction > 0.0 && contact.rolling_model == RollingModel::elastic_plastic) {
   switch (contact.integrator) {
     case Integrator::symplectic_euler:
       choose_integrator<SymplecticEuler>();
@@ -149,21 +143,6 @@ Engine::Engine(const Contact& contact, std::vector<Wall> walls, std::array<doubl
 
 Engine::~Engine() = default;
 Engine::Engine(Engine&&) noexcept = default;
-
-template <class Law>
-void Engine::choose_rolling() {
-  stiffness_ = &stiffness_of<Law>;
-  const auto choose = [&]<class Rolling>() {
-    sweep_ = &Engine::sweep<Law, Rolling>;
-    compute_outer_ = &Engine::compute_outer<Law, Rolling>;
-  };
-  if (contact_.rolling_friction == 0.0)
-    choose.template operator()<NoRollingResistance>();
-  else if (contact_.rolling_model == RollingModel::constant_torque)
-    choose.template operator()<ConstantRollingTorque>();
-  else
-    choose.template operator()<ElasticPlasticRolling>();
-}
 
 template <class Integrator>
 void Engine::choose_integrator() {
@@ -457,11 +436,10 @@ std::size_t Engine::find_touching(const PairList& list, std::uint32_t first, std
 
 /// Computes the contacts `touching` of a list, a batch at a time. `second(p)` gives the rows of the second body of pair
 /// p: place, velocity and spin; take(k, p, force, torque_i, torque_j) is told what contact k does, in order.
-template <bool AtWall, class Rolling, class Law, class Second, class Take>
-void Engine::compute(PairList& list, const std::uint32_t* touching, std::size_t count, const Law& law, Share& share,
-                     StepMode mode, Second second, Take take) const {
-  const CoulombFriction friction{contact_.sliding_friction, spring_phase_};
-  const Rolling rolling(contact_, spring_phase_);
+template <bool AtWall, class Second, class Take>
+void Engine::compute(PairList& list, const std::uint32_t* touching, std::size_t count, Share& share, StepMode mode,
+                     Second second, Take take) const {
+  const ContactKernel kernel = law_.compute[rolling_][AtWall ? 1 : 0];
   const std::uint32_t step = now();
   ContactBatch& batch = share.batch;
   share.fresh.clear();
@@ -473,7 +451,7 @@ void Engine::compute(PairList& list, const std::uint32_t* touching, std::size_t 
       if (list.last_step[p] != step - 1) {
         if (collect_collisions_ && !AtWall) finish_collision(share, list, p);
         list.memory[p].set({});
-        if constexpr (Rolling::has_memory) list.rolling_memory[p] = {};
+        if (rolling_remembers_) list.rolling_memory[p] = {};
         list.first_step[p] = step;
         share.fresh.push_back(static_cast<std::uint32_t>(begin + k));
       }
@@ -495,24 +473,24 @@ void Engine::compute(PairList& list, const std::uint32_t* touching, std::size_t 
       batch.spin_j.put(k, j[0].spin, j[1].spin, j[2].spin, j[3].spin);
       batch.spring.put(k, memory(list.memory, 0), memory(list.memory, 1), memory(list.memory, 2),
                        memory(list.memory, 3));
-      if constexpr (Rolling::has_memory)
+      if (rolling_remembers_)
         batch.rolling_memory.put(k, memory(list.rolling_memory, 0), memory(list.rolling_memory, 1),
                                  memory(list.rolling_memory, 2), memory(list.rolling_memory, 3));
     }
-    compute_contacts<AtWall>(batch, (size + 3) / 4 * 4, law, friction, rolling, time_step_);
+    kernel(batch, (size + 3) / 4 * 4, contact_, spring_phase_);
     for (std::size_t k = 0; k < size; k += 4) {
       std::array<Pack, 4> force, torque_i, torque_j, spring, rolling_memory;
       batch.force.get(k, force);
       batch.torque_i.get(k, torque_i);
       if constexpr (!AtWall) batch.torque_j.get(k, torque_j);
       batch.spring.get(k, spring);
-      if constexpr (Rolling::has_memory) batch.rolling_memory.get(k, rolling_memory);
+      if (rolling_remembers_) batch.rolling_memory.get(k, rolling_memory);
       const std::size_t lanes = std::min<std::size_t>(4, size - k);
       for (std::size_t lane = 0; lane < lanes; ++lane) {
         const std::uint32_t p = touching[begin + k + lane];
         take(begin + k + lane, p, force[lane], torque_i[lane], torque_j[lane]);
         store(list.memory[p], spring[lane]);
-        if constexpr (Rolling::has_memory) store(list.rolling_memory[p], rolling_memory[lane]);
+        if (rolling_remembers_) store(list.rolling_memory[p], rolling_memory[lane]);
       }
     }
     for (; !AtWall && told < share.fresh.size(); ++told) {
@@ -531,7 +509,7 @@ void Engine::compute(PairList& list, const std::uint32_t* touching, std::size_t 
   }
 }
 
-template <class Law, class Rolling, class Take>
+template <class Take>
 void Engine::compute_pairs(PairList& list, const std::uint32_t* touching, std::size_t count, Share& share,
                            StepMode mode, Take take) const {
   const auto second = [&](std::uint32_t p) {
@@ -543,15 +521,13 @@ void Engine::compute_pairs(PairList& list, const std::uint32_t* touching, std::s
     body.place += load(image_shift_[list.image[p]]);
     return body;
   };
-  const Law law(contact_);
   if (periodic_)
-    compute<false, Rolling>(list, touching, count, law, share, mode, second_image, take);
+    compute<false>(list, touching, count, share, mode, second_image, take);
   else
-    compute<false, Rolling>(list, touching, count, law, share, mode, second, take);
+    compute<false>(list, touching, count, share, mode, second, take);
 }
 
 /// Contacts with the walls: the first terms of the sums.
-template <class Law, class Rolling>
 void Engine::compute_walls(Share& share, StepMode mode) {
   PairList& list = share.wall;
   std::size_t count = 0;
@@ -565,8 +541,8 @@ void Engine::compute_walls(Share& share, StepMode mode) {
     share.foot[p].set(own.vector() + gap.distance * gap.outward);
     share.touching[count++] = p;
   }
-  compute<true, Rolling>(
-      list, share.touching.data(), count, Law(contact_, true), share, mode,
+  compute<true>(
+      list, share.touching.data(), count, share, mode,
       [&](std::uint32_t p) {
         return SecondBody{load(share.foot[p]), Pack{}, Pack{}};
       },
@@ -580,16 +556,15 @@ void Engine::compute_walls(Share& share, StepMode mode) {
       });
 }
 
-template <class Law, class Rolling>
 void Engine::compute_outer(Share& share, StepMode mode) {
   PairList& list = share.outer;
   share.outer_count =
       find_touching(list, 0, static_cast<std::uint32_t>(list.second.size()), share.outer_touching.data());
   share.outer_next = 0;
-  compute_pairs<Law, Rolling>(list, share.outer_touching.data(), share.outer_count, share, mode,
-                              [&](std::size_t k, std::uint32_t, Pack force, Pack torque_i, Pack torque_j) {
-                                share.outer_effect[k] = {force, torque_i, torque_j};
-                              });
+  compute_pairs(list, share.outer_touching.data(), share.outer_count, share, mode,
+                [&](std::size_t k, std::uint32_t, Pack force, Pack torque_i, Pack torque_j) {
+                  share.outer_effect[k] = {force, torque_i, torque_j};
+                });
 }
 
 /// Adds what the earlier shares' pairs do to the spheres of this one.
@@ -607,11 +582,10 @@ void Engine::receive(const Share& share) {
   }
 }
 
-template <class Law, class Rolling>
 void Engine::sweep(Share& share, StepMode mode) {
   if (mode == StepMode::final)
     for (std::size_t s = share.first; s < share.last; ++s) wall_force_row_[s] = {}, touched_[s] = 0;
-  if (!share.wall.second.empty()) compute_walls<Law, Rolling>(share, mode);
+  if (!share.wall.second.empty()) compute_walls(share, mode);
   receive(share);
   share.speed_squared = share.speed_sum = 0.0;
   PairList& list = share.inner;
@@ -619,14 +593,14 @@ void Engine::sweep(Share& share, StepMode mode) {
     const std::size_t last = std::min(first + block_size, share.last);
     const std::size_t count =
         find_touching(list, list.start[first - share.first], list.start[last - share.first], share.touching.data());
-    compute_pairs<Law, Rolling>(list, share.touching.data(), count, share, mode,
-                                [&](std::size_t, std::uint32_t p, Pack force, Pack torque_i, Pack torque_j) {
-                                  const std::uint32_t i = list.first[p], j = list.second[p];
-                                  store(force_[i], load(force_[i]) + force);
-                                  store(torque_[i], load(torque_[i]) + torque_i);
-                                  store(force_[j], load(force_[j]) - force);
-                                  store(torque_[j], load(torque_[j]) + torque_j);
-                                });
+    compute_pairs(list, share.touching.data(), count, share, mode,
+                  [&](std::size_t, std::uint32_t p, Pack force, Pack torque_i, Pack torque_j) {
+                    const std::uint32_t i = list.first[p], j = list.second[p];
+                    store(force_[i], load(force_[i]) + force);
+                    store(torque_[i], load(torque_[i]) + torque_i);
+                    store(force_[j], load(force_[j]) - force);
+                    store(torque_[j], load(torque_[j]) + torque_j);
+                  });
     if (mode == StepMode::final)
       for (std::size_t k = 0; k < count; ++k) {
         ++touched_[list.first[share.touching[k]]];
@@ -713,8 +687,8 @@ void Engine::advance(std::int64_t steps) {
     if (integrator_rows_ > 0) {
       // Integrators that remember accelerations need those of the start, when contacts may exist: a step in which
       // nothing moves, and no contact remembers that it was.
-      for_shares([&](Share& share) { (this->*compute_outer_)(share, StepMode::start); });
-      for_shares([&](Share& share) { (this->*sweep_)(share, StepMode::start); });
+      for_shares([&](Share& share) { compute_outer(share, StepMode::start); });
+      for_shares([&](Share& share) { sweep(share, StepMode::start); });
       number_order();
       list_anew({});
     }
@@ -754,8 +728,8 @@ void Engine::one_step(StepMode mode) {
 
   if (lubrication_) add_lubrication();
   for (auto& share : shares_) share->overlap = 0.0;
-  if (threads_ > 1) for_shares([&](Share& share) { (this->*compute_outer_)(share, mode); });
-  for_shares([&](Share& share) { (this->*sweep_)(share, mode); });
+  if (threads_ > 1) for_shares([&](Share& share) { compute_outer(share, mode); });
+  for_shares([&](Share& share) { sweep(share, mode); });
 
   double speed_squared = 0.0, speed_sum = 0.0;
   maximum_overlap_ = 0.0;
@@ -850,12 +824,12 @@ double Engine::network_frequency_squared() const {
   for_contacts([&](std::size_t i, std::uint32_t j, const PairList& list, std::uint32_t p, bool at_wall) {
     const Row& own = place_[i];
     if (at_wall) {
-      sum[i] += stiffness_(contact_, true, own.w - walls_[j].gap(own.vector()).distance, own.w);
+      sum[i] += law_.stiffness(contact_, true, own.w - walls_[j].gap(own.vector()).distance, own.w);
       return;
     }
     const Vec3 d = place_[j].vector() + image_shift_[list.image[p]].vector() - own.vector();
     const double radius = own.w * place_[j].w / (own.w + place_[j].w);
-    const double stiffness = stiffness_(contact_, false, std::max(0.0, own.w + place_[j].w - norm(d)), radius);
+    const double stiffness = law_.stiffness(contact_, false, std::max(0.0, own.w + place_[j].w - norm(d)), radius);
     sum[i] += stiffness;
     sum[j] += stiffness;
   });

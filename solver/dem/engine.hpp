@@ -10,7 +10,7 @@
 #include "solver/coupling/forces/lubrication.hpp"
 #include "solver/dem/cell_search.hpp"
 #include "solver/dem/collision_statistics.hpp"
-#include "solver/dem/contact_batch.hpp"
+#include "solver/dem/contact_law.hpp"
 #include "solver/dem/integrators.hpp"
 #include "solver/dem/particles.hpp"
 #include "solver/dem/walls.hpp"
@@ -164,25 +164,20 @@ class Engine {
   void add_lubrication();
   std::size_t find_touching(const PairList& list, std::uint32_t first, std::uint32_t last,
                             std::uint32_t* touching) const;
-  template <bool AtWall, class Rolling, class Law, class Second, class Take>
-  void compute(PairList& list, const std::uint32_t* touching, std::size_t count, const Law& law, Share& share,
-               StepMode mode, Second second, Take take) const;
-  template <class Law, class Rolling, class Take>
+  template <bool AtWall, class Second, class Take>
+  void compute(PairList& list, const std::uint32_t* touching, std::size_t count, Share& share, StepMode mode,
+               Second second, Take take) const;
+  template <class Take>
   void compute_pairs(PairList& list, const std::uint32_t* touching, std::size_t count, Share& share, StepMode mode,
                      Take take) const;
-  template <class Law, class Rolling>
   void compute_walls(Share& share, StepMode mode);
-  template <class Law, class Rolling>
   void compute_outer(Share& share, StepMode mode);
   void receive(const Share& share);
-  template <class Law, class Rolling>
   void sweep(Share& share, StepMode mode);
   template <class Integrator>
   void move(Share& share, std::size_t first, std::size_t last, StepMode mode);
   template <class Integrator>
   void predict(std::size_t first, std::size_t last);
-  template <class Law>
-  void choose_rolling();
   template <class Integrator>
   void choose_integrator();
   [[noreturn]] void fail(const char* what, std::size_t slot) const;
@@ -204,12 +199,12 @@ class Engine {
   double time_step_;
   int threads_;
   bool periodic_;
-  // The instances of the templates that this scene's contact law and integrator need.
-  void (Engine::*sweep_)(Share&, StepMode) = nullptr;
-  void (Engine::*compute_outer_)(Share&, StepMode) = nullptr;
+  ContactLawKernels law_;
+  std::size_t rolling_;     ///< place of the rolling resistance among the kernels
+  bool rolling_remembers_;  ///< whether it carries something from step to step
+  // The instances of the templates that this scene's integrator needs.
   void (Engine::*move_)(Share&, std::size_t, std::size_t, StepMode) = nullptr;
   void (Engine::*predict_)(std::size_t, std::size_t) = nullptr;
-  double (*stiffness_)(const Contact&, bool at_wall, double overlap, double effective_radius) = nullptr;
   double spring_phase_ = 1.0;
 
   // By slot: spheres in the order of the cell grid.

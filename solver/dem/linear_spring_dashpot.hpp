@@ -4,6 +4,7 @@
 #include <limits>
 #include <numbers>
 
+#include "solver/dem/contact_law_info.hpp"
 #include "solver/scene/scene.hpp"
 
 namespace slfb::dem {
@@ -48,6 +49,12 @@ inline double damping_ratio(double restitution) {
 /// 9:465).
 class LinearSpringDashpot {
  public:
+  static constexpr ContactLawInfo info{.name = "linear",
+                                       .title = "Linear spring and dashpot, Cundall & Strack (1979)",
+                                       .equation = "F_n = k_n d + c_n d', c_n = 2 zeta sqrt(k_n m_eff)",
+                                       .source = "cundall1979",
+                                       .overlap = {}};
+
   explicit LinearSpringDashpot(const Contact& contact, bool /*at_wall*/ = false)
       : stiffness_(contact.stiffness),
         damping_(2.0 * damping_ratio(contact.restitution) * std::sqrt(contact.stiffness)),

@@ -54,14 +54,13 @@ struct Species {
   std::int64_t count = 0;  ///< bed particles at the start; 0 for a species that is only dropped
 };
 
-enum class ContactLaw { linear, hertz };
 enum class RollingModel { constant_torque, elastic_plastic };
 enum class RollingRadius { own, reduced };
 enum class Integrator { symplectic_euler, velocity_verlet, position_verlet, gear };
 
 /// Soft-sphere contact, the same for all pairs and walls (Peng 2014, Table 1).
 struct Contact {
-  ContactLaw law = ContactLaw::linear;
+  std::string law = "linear";     ///< "linear", "hertz", or a C++ file (solver/user_law.hpp)
   double stiffness = 0.0;         ///< linear: k_n [N/m]
   double youngs_modulus = 0.0;    ///< hertz: E [Pa]
   double poisson_ratio = 0.25;    ///< hertz: ν [-]

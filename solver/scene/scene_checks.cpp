@@ -9,7 +9,7 @@
 #include <stdexcept>
 
 #include "correlations/drag/drag_laws.hpp"
-#include "solver/dem/hertz_mindlin.hpp"
+#include "solver/dem/contact_laws.hpp"
 #include "solver/scene/scene_description.hpp"
 #include "solver/scene/scene_file.hpp"
 #include "solver/user_law.hpp"
@@ -218,13 +218,27 @@ class PhysicsCheck {
   }
 
   void check_contact() {
-    const double bound = contact_time_step_bound(scene_);
     const auto& contact = scene_.contact;
+    const std::string law = fmt::format("\"{}\"", contact.law);
+    try {
+      find_contact_law(contact.law);
+    } catch (const UserLawError& error) {
+      return problem("contact.law", law, "{}", error.what());
+    } catch (const std::invalid_argument&) {
+      std::string names;
+      for (const auto& known : dem::contact_laws()) names += fmt::format("\"{}\", ", known.info.name);
+      return problem("contact.law", law, "unknown contact law; allowed is {}or a file that ends with .cpp", names);
+    }
+    const double bound = contact_time_step_bound(scene_);
+    if (is_user_law(contact.law) && !scene_.species.empty() && !(bound > 0.0 && std::isfinite(bound)))
+      return problem("contact.law", law,
+                     "gives no stiffness above zero at an overlap of a hundredth of the effective radius; does it need "
+                     "contact.stiffness or contact.youngs_modulus?");
     if (contact.allow_large_time_step || contact.time_step <= bound) return;
     problem("contact.time_step", with_unit(contact.time_step, units::time),
             "is above the bound 1/ω_0 = sqrt(m_eff/k_n) = {} s of the stiffest pair; allowed is at most that, a softer "
             "contact.{}, or contact.allow_large_time_step = true",
-            rounded(bound), contact.law == ContactLaw::linear ? "stiffness" : "youngs_modulus");
+            rounded(bound), contact.law == "hertz" ? "youngs_modulus" : "stiffness");
   }
 
   void check_coupling() {
@@ -343,25 +357,18 @@ void check_scene(const Scene& scene, Problems& problems) {
 
 namespace slfb {
 
-namespace {
-
-/// Stiffness of a pair; for Hertz its tangent at an overlap of a hundredth of the effective radius [N/m].
-double contact_stiffness(const Contact& contact, double effective_radius) {
-  if (contact.law == ContactLaw::linear) return contact.stiffness;
-  return dem::HertzMindlin(contact)(0.01 * effective_radius, 0.0, 0.0, effective_radius).stiffness;
-}
-
-}  // namespace
-
 double contact_time_step_bound(const Scene& scene) {
   const auto is_dropped = [&](const Species& species) {
     return std::ranges::any_of(scene.stages, [&](const Stage& stage) {
       return stage.kind == StageKind::drop && stage.species == species.name;
     });
   };
+  const dem::ContactLawKernels law = find_contact_law(scene.contact.law);
   double bound = std::numeric_limits<double>::infinity();
   const auto pair_of = [&](double effective_mass, double effective_radius) {
-    bound = std::min(bound, std::sqrt(effective_mass / contact_stiffness(scene.contact, effective_radius)));
+    // Where the stiffness depends on the overlap: at a hundredth of the effective radius.
+    const double stiffness = law.stiffness(scene.contact, false, 0.01 * effective_radius, effective_radius);
+    bound = std::min(bound, std::sqrt(effective_mass / stiffness));
   };
   for (const Species& a : scene.species) {
     const double mass = description::sphere_mass(a), radius = 0.5 * a.diameter;

@@ -65,7 +65,6 @@ inline constexpr std::array tiers{Choice{"quiescent", FluidTier::quiescent},
                                   Choice{"three-dimensional", FluidTier::three_dimensional}};
 inline constexpr std::array walls{Choice{"no-slip", LateralBoundary::no_slip}, Choice{"slip", LateralBoundary::slip},
                                   Choice{"periodic", LateralBoundary::periodic}};
-inline constexpr std::array contact_laws{Choice{"linear", ContactLaw::linear}, Choice{"hertz", ContactLaw::hertz}};
 inline constexpr std::array rolling_models{Choice{"constant-torque", RollingModel::constant_torque},
                                            Choice{"elastic-plastic", RollingModel::elastic_plastic}};
 inline constexpr std::array rolling_radii{Choice{"own", RollingRadius::own}, Choice{"reduced", RollingRadius::reduced}};
@@ -135,13 +134,17 @@ void describe(Visitor& visitor, Scene& scene) {
   });
   visitor.section("contact", [&] {
     auto& contact = scene.contact;
-    visitor.choice("law", contact.law, contact_laws, optional);
-    const bool hertz = contact.law == ContactLaw::hertz;
+    visitor.text("law", contact.law, optional);
+    // A law from a file takes of these what it needs, and says so by its stiffness where it misses one.
+    const bool linear = contact.law == "linear", hertz = contact.law == "hertz", own = !linear && !hertz;
     constexpr std::string_view of_linear = "it belongs to law = \"linear\"", of_hertz = "it belongs to law = \"hertz\"";
-    visitor.number("stiffness", contact.stiffness, u::stiffness, positive, required_if(!hertz, of_linear));
-    visitor.number("youngs_modulus", contact.youngs_modulus, u::pressure, positive, required_if(hertz, of_hertz));
-    visitor.number("poisson_ratio", contact.poisson_ratio, u::ratio, zero_to_half, optional_if(hertz, of_hertz));
-    visitor.boolean("rigid_walls", contact.rigid_walls, optional_if(hertz, of_hertz));
+    const Allowed& modulus = own ? not_negative : positive;
+    visitor.number("stiffness", contact.stiffness, u::stiffness, modulus,
+                   own ? optional : required_if(linear, of_linear));
+    visitor.number("youngs_modulus", contact.youngs_modulus, u::pressure, modulus,
+                   own ? optional : required_if(hertz, of_hertz));
+    visitor.number("poisson_ratio", contact.poisson_ratio, u::ratio, zero_to_half, optional_if(!linear, of_hertz));
+    visitor.boolean("rigid_walls", contact.rigid_walls, optional_if(!linear, of_hertz));
     visitor.number("restitution", contact.restitution, u::ratio, above_zero_to_one, optional);
     visitor.boolean("cut_tension", contact.cut_tension, optional);
     visitor.number("sliding_friction", contact.sliding_friction, u::ratio, not_negative, optional);

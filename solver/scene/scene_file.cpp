@@ -150,6 +150,21 @@ void apply_override(toml::table& root, const Override& change) {
   insert_value(*table, key, change.value);
 }
 
+/// An override of the contact law speaks for the whole choice: what the file says of another law goes.
+void forget_other_contact_law(toml::table& root, const std::vector<Override>& changes) {
+  toml::table* contact = root["contact"].as_table();
+  const auto change = std::find_if(changes.rbegin(), changes.rend(),
+                                   [](const Override& candidate) { return candidate.path == "contact.law"; });
+  if (contact == nullptr || change == changes.rend()) return;
+  const auto forget = [&](std::initializer_list<std::string_view> keys) {
+    for (const std::string_view key : keys) contact->erase(key);
+  };
+  const bool quoted = change->value.starts_with('"') && change->value.ends_with('"');
+  const std::string law = quoted ? change->value.substr(1, change->value.size() - 2) : change->value;
+  if (law == "hertz") forget({"stiffness", "tangential_stiffness_ratio", "tangential_damping_ratio"});
+  if (law == "linear") forget({"youngs_modulus", "poisson_ratio", "rigid_walls"});
+}
+
 // --- reading ---------------------------------------------------------------------------------------------------------
 
 /// Fills a scene from the parsed file. Checks names and types; ranges and physics come after.
@@ -483,10 +498,9 @@ Scene parse_scene(const std::string& text, const std::string& origin, const Over
         fmt::format("{}:{}:{}: not valid TOML: {}", origin, begin.line, begin.column, error.description()));
   }
   std::vector<Override> changes;
-  for (const std::string& change : overrides) {
-    changes.push_back(split_override(change));
-    apply_override(root, changes.back());
-  }
+  for (const std::string& change : overrides) changes.push_back(split_override(change));
+  forget_other_contact_law(root, changes);
+  for (const Override& change : changes) apply_override(root, change);
 
   Problems problems(origin);
   Scene scene;
@@ -518,7 +532,8 @@ std::string scene_hash(const Scene& scene) {
   physics.recording.checkpoint_interval = Recording{}.checkpoint_interval;
   physics.contact.allow_large_time_step = false;
   // A law from outside the suite is what its file says, not where the file lies.
-  if (is_user_law(physics.coupling.drag_law)) physics.coupling.drag_law = user_law_hash(physics.coupling.drag_law);
+  for (std::string* law : {&physics.coupling.drag_law, &physics.contact.law})
+    if (is_user_law(*law)) *law = user_law_hash(*law);
   const std::string text = canonical_toml(physics) + fmt::format("numerics_version = {}\n", numerics_version);
   return fmt::format("{:016x}", XXH3_64bits(text.data(), text.size()));
 }

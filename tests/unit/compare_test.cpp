@@ -17,7 +17,10 @@
 #include "experiments/compare/candidates.hpp"
 #include "experiments/compare/drag_study.hpp"
 #include "experiments/paper_conditions.hpp"
+#include "experiments/run_files.hpp"
+#include "solver/scene/scene_file.hpp"
 #include "solver/user_law.hpp"
+#include "tests/unit/synthetic_runs.hpp"
 
 namespace slfb::compare {
 namespace {
@@ -211,6 +214,17 @@ TEST_F(CompareCommand, ErrorsComeBeforeAnyWork) {
   EXPECT_NE(error_of({"--void-fraction", "centroid,exact"}).find("exact-overlap"), std::string::npos);
   EXPECT_NE(error_of({"--drag", "wen-yu-1966", "--tier", "4d"}).find("4d"), std::string::npos);
   EXPECT_NE(error_of({"--drag", "none.cpp"}).find("none.cpp"), std::string::npos);
+  EXPECT_NE(error_of({"--contact", "linear"}).find("nothing to compare"), std::string::npos);
+  EXPECT_NE(error_of({"--contact", "linear,hertzian"}).find("known: linear, hertz"), std::string::npos);
+  EXPECT_NE(error_of({"--contact", "none.cpp"}).find("none.cpp"), std::string::npos);
+  EXPECT_NE(error_of({"--contact", "linear,hertz:stiffness"}).find("LAW:KEY=VALUE"), std::string::npos);
+  EXPECT_NE(error_of({"--contact", "linear:stiffness=1e5 N/m"}).find("above the bound"), std::string::npos);
+  EXPECT_NE(error_of({"--contact", "linear,linear:stifness=1e3"}).find("did you mean \"stiffness\""),
+            std::string::npos);
+  EXPECT_NE(error_of({"--void-fraction", "centroid"}).find("two schemes"), std::string::npos);
+  EXPECT_NE(error_of({"--void-fraction", "centroid,exact-overlap", "--tier", "correlation"}).find("1d and 3d"),
+            std::string::npos);
+  EXPECT_NE(error_of({"--drag", "wen-yu-1966", "--contact", "hertz"}).find("excludes"), std::string::npos);
   EXPECT_NE(error_of({}).find("--drag"), std::string::npos);
 }
 
@@ -237,6 +251,63 @@ TEST_F(CompareCommand, WritesTheReportOfTheCorrelations) {
   EXPECT_EQ(answer.at("candidates").size(), 2u);
   EXPECT_GT(answer.at("claims").size(), 10u);
   EXPECT_EQ(answer.at("laws").at(1).at("ratio_to").at("di-felice-1994").at("median"), 1.0);
+}
+
+TEST_F(CompareCommand, WritesTheReportOfTwoBodies) {
+  const std::string summary = run({"--contact", "hertz", "--tier", "correlation"});
+  EXPECT_NE(summary.find("restitution at 0.1 m/s"), std::string::npos) << summary;
+  EXPECT_NE(summary.find("hertz: outside its range"), std::string::npos) << summary;
+  const fs::path folder = out_ / "compare" / "contact";
+  for (const char* file : {"index.html", "compare.json", "figures/one_collision.png", "figures/impact_speed.csv",
+                           "figures/oblique_impact.svg", "figures/wet_restitution.gp"})
+    EXPECT_TRUE(fs::exists(folder / file)) << file;
+  EXPECT_FALSE(fs::exists(out_ / "runs"));
+  std::ifstream stream(folder / "compare.json");
+  const auto answer = nlohmann::json::parse(stream);
+  EXPECT_NEAR(answer.at("laws").at(0).at("restitution").get<double>(), 0.9, 1e-3);
+}
+
+TEST_F(CompareCommand, AContactLawThatNeverLetsGoStopsTheComparison) {
+  const fs::path file = fs::path(testing::TempDir()) / "slfb_sticky.cpp";
+  std::string text = run({"--template", "contact"});
+  text.replace(text.find(".force = force"), 14, ".force = approach > 0.0 ? force : 0.0");
+  std::ofstream(file) << text;
+  EXPECT_NE(error_of({"--contact", file.string(), "--tier", "correlation"}).find("do not part"), std::string::npos);
+}
+
+// With results that exist, made up, nothing is simulated: schemes side by side, their claims and pictures.
+TEST_F(CompareCommand, ComparesVoidFractionSchemesByTheirRuns) {
+  const std::vector<std::string> schemes{"exact-overlap", "particle-meshing", "centroid"};
+  unsigned seed = 0;
+  for (const std::string& scheme : schemes)
+    for (RunSpec spec : runs_of(Tier::one_dimensional, claims_of_runs({"table2"}), {0.10})) {
+      spec.overrides.push_back("coupling.void_fraction=" + scheme);
+      RunResult result = synthetic::run(0.10, "", ++seed).result;
+      for (DropSeries& drop : result.drops) drop.species = "steel";
+      const fs::path target = result_file(out_, scene_hash(load_run_scene(spec)));
+      fs::create_directories(target.parent_path());
+      save_result(result, target);
+    }
+  const std::string summary = run({"--void-fraction", "exact-overlap,particle-meshing,centroid", "--experiments",
+                                   "table2", "--velocities", "0.10"});
+  EXPECT_NE(summary.find("claims better"), std::string::npos) << summary;
+  const fs::path folder = out_ / "compare" / "void-fraction";
+  for (const char* file : {"index.html", "claims.csv", "figures/simulated_classification.png",
+                           "figures/collision_force.svg", "figures/collision_frequency_simulated_3.csv"})
+    EXPECT_TRUE(fs::exists(folder / file)) << file;
+  std::ifstream stream(folder / "compare.json");
+  const auto answer = nlohmann::json::parse(stream);
+  for (const std::string& scheme : schemes)
+    EXPECT_TRUE(answer.at("claims").at(0).at("answers").at(scheme).at("ours").is_number()) << scheme;
+}
+
+TEST(UsesOutsideRange, AreThoseOfTheMeasuredFlow) {
+  const drag::DragLawKernels law = drag::kernels_of<Planted<Nothing>>();  // Re up to 900
+  const auto none = uses_outside_range(law, {});
+  const auto more = uses_outside_range(law, {{"terminal_reynolds/6in5W/0.06", {1234.0, 1.0, 3, "-", ""}},
+                                             {"terminal_reynolds/6in5W/0.08", {800.0, 1.0, 3, "-", ""}}});
+  ASSERT_EQ(more.size(), none.size() + 1);
+  EXPECT_NE(more.back().find("1234 at 0.06 m/s"), std::string::npos) << more.back();
 }
 
 }  // namespace

@@ -6,47 +6,20 @@
 
 #include <cmath>
 #include <filesystem>
-#include <fstream>
-#include <sstream>
 #include <string>
 
 #include "correlations/drag/wen_yu_1966.hpp"
 #include "experiments/run_campaign.hpp"
 #include "experiments/run_files.hpp"
+#include "tests/unit/user_law_files.hpp"
 
 namespace slfb {
 namespace {
 
 namespace fs = std::filesystem;
 
-std::string law_template() {
-  std::ifstream stream(fs::path(SLFB_SOURCE_DIR) / "experiments/compare/templates/drag_law.cpp");
-  std::ostringstream text;
-  text << stream.rdbuf();
-  return text.str();
-}
-
-std::string replaced(std::string text, const std::string& from, const std::string& to) {
-  const auto found = text.find(from);
-  if (found == std::string::npos) ADD_FAILURE() << "the template holds no \"" << from << '"';
-  return found == std::string::npos ? text : text.replace(found, from.size(), to);
-}
-
-class UserLaw : public testing::Test {
+class UserLaw : public UserLawFiles {
  protected:
-  UserLaw()
-      : folder_(fs::path(testing::TempDir()) /
-                (std::string("slfb_user_law_") + testing::UnitTest::GetInstance()->current_test_info()->name())) {
-    fs::remove_all(folder_);
-    fs::create_directories(folder_);
-  }
-  ~UserLaw() override { fs::remove_all(folder_); }
-
-  std::string file(const std::string& name, const std::string& text) const {
-    std::ofstream(folder_ / name) << text;
-    return (folder_ / name).string();
-  }
-
   static std::string error_of(const std::string& law) {
     try {
       find_drag_law(law);
@@ -55,13 +28,11 @@ class UserLaw : public testing::Test {
     }
     return "";
   }
-
-  fs::path folder_;
 };
 
 // Below Re = 1000 the template is Wen and Yu's law, written by other hands; the derivative is that of its formula.
 TEST_F(UserLaw, TheTemplateIsALaw) {
-  const auto law = find_drag_law(file("mine.cpp", law_template()));
+  const auto law = find_drag_law(file("mine.cpp", law_template("drag")));
   EXPECT_EQ(law.info.name, "my-law");
   const drag::WenYu1966 same;
   for (const double voidage : {0.4, 0.7, 1.0}) {
@@ -77,7 +48,7 @@ TEST_F(UserLaw, TheTemplateIsALaw) {
 }
 
 TEST_F(UserLaw, ALawForDoublesOnlyHasItsDerivativeFromDifferences) {
-  std::string text = replaced(law_template(), "template <class Number = double>", "");
+  std::string text = replaced(law_template("drag"), "template <class Number = double>", "");
   text = replaced(text, "Number operator()(drag::SuspensionFlowOf<Number> flow)",
                   "double operator()(drag::SuspensionFlow flow)");
   text = replaced(text, "const Number one_sphere", "const double one_sphere");
@@ -93,7 +64,8 @@ TEST_F(UserLaw, ALawForDoublesOnlyHasItsDerivativeFromDifferences) {
 }
 
 TEST_F(UserLaw, ABrokenFileGivesTheCompilersMessageAndAHint) {
-  const std::string broken = file("broken.cpp", replaced(law_template(), "return one_sphere", "return one_spehre"));
+  const std::string broken =
+      file("broken.cpp", replaced(law_template("drag"), "return one_sphere", "return one_spehre"));
   const std::string message = error_of(broken);
   EXPECT_NE(message.find("broken.cpp does not compile"), std::string::npos) << message;
   EXPECT_NE(message.find("one_spehre"), std::string::npos) << message;
@@ -102,21 +74,22 @@ TEST_F(UserLaw, ABrokenFileGivesTheCompilersMessageAndAHint) {
 }
 
 TEST_F(UserLaw, AFormulaThatDualsCannotFollowIsExplained) {
-  const std::string stiff = file("stiff.cpp", replaced(law_template(), "0.15 * pow(flow.reynolds",
+  const std::string stiff = file("stiff.cpp", replaced(law_template("drag"), "0.15 * pow(flow.reynolds",
                                                        "0.15 * std::tanh(flow.reynolds) * pow(flow.reynolds"));
   EXPECT_NE(error_of(stiff).find("carry their derivative"), std::string::npos);
 }
 
 TEST_F(UserLaw, AFileThatHandsNoLawOverIsRefused) {
-  const std::string message = error_of(file("silent.cpp", replaced(law_template(), "SLFB_DRAG_LAW(MyLaw)", "")));
+  const std::string message = error_of(file("silent.cpp", replaced(law_template("drag"), "SLFB_DRAG_LAW(MyLaw)", "")));
   EXPECT_NE(message.find("SLFB_DRAG_LAW"), std::string::npos) << message;
   EXPECT_NE(error_of((folder_ / "none.cpp").string()).find("cannot be read"), std::string::npos);
 }
 
 TEST_F(UserLaw, ItsNameIsItsOwn) {
-  EXPECT_NE(error_of(file("twin.cpp", replaced(law_template(), "my-law", "wen-yu-1966"))).find("law of the suite"),
-            std::string::npos);
-  EXPECT_NE(error_of(file("loud.cpp", replaced(law_template(), "my-law", "My Law"))).find("lower-case"),
+  EXPECT_NE(
+      error_of(file("twin.cpp", replaced(law_template("drag"), "my-law", "wen-yu-1966"))).find("law of the suite"),
+      std::string::npos);
+  EXPECT_NE(error_of(file("loud.cpp", replaced(law_template("drag"), "my-law", "My Law"))).find("lower-case"),
             std::string::npos);
 }
 
@@ -128,14 +101,15 @@ class UserLawInAScene : public UserLaw {
 };
 
 TEST_F(UserLawInAScene, TheNameOfTheRunIsThatOfTheFormula) {
-  const std::string here = file("here.cpp", law_template()), there = file("there.cpp", law_template());
-  const std::string changed = file("changed.cpp", replaced(law_template(), "0.15 *", "0.16 *"));
+  const std::string here = file("here.cpp", law_template("drag")), there = file("there.cpp", law_template("drag"));
+  const std::string changed = file("changed.cpp", replaced(law_template("drag"), "0.15 *", "0.16 *"));
   EXPECT_EQ(scene_hash(sphere(here)), scene_hash(sphere(there)));
   EXPECT_NE(scene_hash(sphere(here)), scene_hash(sphere(changed)));
 }
 
 TEST_F(UserLawInAScene, AnIncludedFileCounts) {
-  const std::string text = replaced(law_template(), "#include <cmath>", "#include <cmath>\n#include \"constant.hpp\"");
+  const std::string text =
+      replaced(law_template("drag"), "#include <cmath>", "#include <cmath>\n#include \"constant.hpp\"");
   const std::string law = file("mine.cpp", replaced(text, "0.15 *", "constant *"));
   file("constant.hpp", "inline constexpr double constant = 0.15;\n");
   const std::string before = scene_hash(sphere(law));

@@ -127,7 +127,7 @@ TEST(Bounce, TenHeightsOfASoftSphere) {
 enum class Bodies { equal, unequal, wall };
 
 struct Collider {
-  ContactLaw law = ContactLaw::linear;
+  std::string law = "linear";
   Integrator integrator = Integrator::velocity_verlet;
   Bodies bodies = Bodies::equal;
   double restitution = 0.9;
@@ -152,7 +152,7 @@ struct Collider {
     contact.poisson_ratio = 0.25;
     const double modulus = contact.youngs_modulus / (2.0 * (1.0 - 0.25 * 0.25));
     const double duration =
-        law == ContactLaw::linear
+        law == "linear"
             ? LinearSpringDashpot::contact_time(contact.stiffness, restitution, share * m0)
             : HertzMindlin::contact_time(modulus, wall ? radius : radius * r1 / (radius + r1), share * m0, speed);
     contact.time_step = duration / steps;
@@ -190,16 +190,16 @@ struct Collider {
 };
 
 std::ostream& operator<<(std::ostream& out, const Collider& c) {
-  return out << name_of(c.law) << ", " << name_of(c.integrator) << ", bodies " << static_cast<int>(c.bodies)
+  return out << c.law << ", " << name_of(c.integrator) << ", bodies " << static_cast<int>(c.bodies)
              << ", e = " << c.restitution;
 }
 
-constexpr std::array all_laws{ContactLaw::linear, ContactLaw::hertz};
+const std::array<std::string, 2> all_laws{"linear", "hertz"};
 constexpr std::array all_bodies{Bodies::equal, Bodies::unequal, Bodies::wall};
 
 template <class Check>
 void for_all_colliders(Check check) {
-  for (const ContactLaw law : all_laws)
+  for (const std::string& law : all_laws)
     for (const Integrator integrator : all_integrators)
       for (const Bodies bodies : all_bodies)
         for (const double e : {0.3, 0.5, 0.7, 0.9, 1.0}) check(Collider{law, integrator, bodies, e, false, {1, 0, 0}});
@@ -214,19 +214,19 @@ TEST(Restitution, IsThatOfTheLaw) {
 
 // Of second order but for the Hertzian dashpot, which begins as δ^{1/4}: of order 5/4.
 TEST(Restitution, ConvergesWithTheStep) {
-  for (const ContactLaw law : all_laws)
+  for (const std::string& law : all_laws)
     for (const Integrator integrator : all_integrators)
       for (const double e : {0.3, 0.5, 0.7, 0.9, 1.0}) {
         const Collider collider{law, integrator, Bodies::wall, e, false, {1, 0, 0}};
         std::vector<double> largest;
         for (const int steps : {50, 100, 200, 400, 800}) largest.push_back(collider.errors(steps, 8, e).largest);
-        EXPECT_GT(order_of(largest), law == ContactLaw::linear || e == 1.0 ? 1.75 : 0.8) << collider;
+        EXPECT_GT(order_of(largest), law == "linear" || e == 1.0 ? 1.75 : 0.8) << collider;
       }
 }
 
 // The law knows no direction.
 TEST(Restitution, IsTheSameInAllDirections) {
-  for (const ContactLaw law : all_laws)
+  for (const std::string& law : all_laws)
     for (const Integrator integrator : all_integrators)
       for (const Bodies bodies : {Bodies::equal, Bodies::unequal}) {
         Collider collider{law, integrator, bodies, 0.7, false, {1, 0, 0}};
@@ -242,13 +242,13 @@ TEST(Restitution, IsTheSameInAllDirections) {
 // Schwager & Pöschel (2007), Granular Matter 9:465, Eq. 21: what is left of e when the spheres part where the force
 // vanishes. Of a Hertzian contact by the reference.
 TEST(Restitution, IsHigherWithoutTension) {
-  for (const ContactLaw law : all_laws)
+  for (const std::string& law : all_laws)
     for (const Integrator integrator : all_integrators)
       for (const Bodies bodies : all_bodies)
         for (const double e : {0.3, 0.5, 0.7, 0.9}) {
           const Collider collider{law, integrator, bodies, e, true, {1, 0, 0}};
           double expected = LinearSpringDashpot::restitution_without_tension(e);
-          if (law == ContactLaw::hertz) {
+          if (law == "hertz") {
             ReferenceLine line;
             line.law.kind = ReferenceLaw::Kind::hertz_mindlin;
             line.law.modulus = 1e8;
@@ -311,7 +311,7 @@ TEST(HertzContact, ImpactsOfChungAndOoi) {
                         Case{"3, aluminium oxide", true, 380e9, 0.23, 4000, 0.0025, 3.9, 8.089e-6, 615.4, 6.105e-6},
                         Case{"3, cast iron", true, 100e9, 0.25, 7000, 0.0025, 3.9, 17.19e-6, 506.8, 12.97e-6}}) {
     Contact contact;
-    contact.law = ContactLaw::hertz;
+    contact.law = "hertz";
     contact.integrator = Integrator::velocity_verlet;
     contact.youngs_modulus = c.youngs_modulus;
     contact.poisson_ratio = c.poisson_ratio;
@@ -345,9 +345,9 @@ TEST(HertzContact, ImpactsOfChungAndOoi) {
 TEST(Stack, SqueezedSpheresMoveAsTheReference) {
   const double r = 0.0005, end = 5e-3;
   for (const double e : {1.0, 0.8})
-    for (const ContactLaw law : all_laws) {
+    for (const std::string& law : all_laws) {
       ReferenceLine line;
-      line.law.kind = law == ContactLaw::linear ? ReferenceLaw::Kind::linear : ReferenceLaw::Kind::hertz_mindlin;
+      line.law.kind = law == "linear" ? ReferenceLaw::Kind::linear : ReferenceLaw::Kind::hertz_mindlin;
       line.law.stiffness = 1e3;
       line.law.modulus = 1e7 / (2.0 * (1.0 - 0.25 * 0.25));
       line.law.restitution = e;
@@ -377,8 +377,8 @@ TEST(Stack, SqueezedSpheresMoveAsTheReference) {
             error[level] = std::max(error[level], std::abs(engine.particles.position.z[i] - exact.position[i]));
         }
         EXPECT_LT(error[0], integrator == Integrator::symplectic_euler ? 3e-7 : 2e-7)
-            << name_of(law) << ", " << name_of(integrator) << ", e = " << e;
-        EXPECT_LT(error[1], 0.7 * error[0]) << name_of(law) << ", " << name_of(integrator) << ", e = " << e;
+            << law << ", " << name_of(integrator) << ", e = " << e;
+        EXPECT_LT(error[1], 0.7 * error[0]) << law << ", " << name_of(integrator) << ", e = " << e;
       }
     }
 }
@@ -386,9 +386,9 @@ TEST(Stack, SqueezedSpheresMoveAsTheReference) {
 // Three unequal spheres in a row, the first two touching when the third strikes: contacts that overlap in time.
 TEST(Stack, CradleMovesAsTheReference) {
   const double e = 0.9, end = 2e-3;
-  for (const ContactLaw law : all_laws) {
+  for (const std::string& law : all_laws) {
     ReferenceLine line;
-    line.law.kind = law == ContactLaw::linear ? ReferenceLaw::Kind::linear : ReferenceLaw::Kind::hertz_mindlin;
+    line.law.kind = law == "linear" ? ReferenceLaw::Kind::linear : ReferenceLaw::Kind::hertz_mindlin;
     line.law.stiffness = 1e4;
     line.law.modulus = 1e8 / (2.0 * (1.0 - 0.25 * 0.25));
     line.law.restitution = e;
@@ -413,7 +413,7 @@ TEST(Stack, CradleMovesAsTheReference) {
       engine.advance(std::llround(end / contact.time_step));
       for (std::size_t i : {0U, 1U, 2U})
         EXPECT_NEAR(engine.particles.velocity.z[i], exact.velocity[i], 3e-4 * 0.3)
-            << name_of(law) << ", " << name_of(integrator) << ", sphere " << i;
+            << law << ", " << name_of(integrator) << ", sphere " << i;
     }
   }
 }

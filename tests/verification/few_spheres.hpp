@@ -18,7 +18,6 @@ inline const char* name_of(Integrator integrator) {
   return std::array{"symplectic Euler", "velocity Verlet", "position Verlet",
                     "Gear"}[static_cast<std::size_t>(integrator)];
 }
-inline const char* name_of(ContactLaw law) { return law == ContactLaw::linear ? "linear" : "Hertz"; }
 
 inline const Wall floor_at_zero{Wall::Kind::plane, 2, 1.0, 0.0};
 

@@ -86,7 +86,7 @@ TEST(ObliqueImpact, SlidesGrosslyAsOfChungAndOoi) {
   for (const Integrator integrator : all_integrators)
     for (const Case& c : {Case{40.0, 0.7829, 544.2}, Case{60.0, 0.8948, 355.2}}) {
       Contact contact;
-      contact.law = ContactLaw::hertz;
+      contact.law = "hertz";
       contact.integrator = integrator;
       contact.youngs_modulus = 380e9;
       contact.poisson_ratio = 0.23;

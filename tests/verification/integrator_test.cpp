@@ -163,7 +163,7 @@ TEST(Momentum, IsConserved) {
     double friction;
     RollingModel model;
   };
-  for (const ContactLaw law : {ContactLaw::linear, ContactLaw::hertz})
+  for (const char* law : {"linear", "hertz"})
     for (const Integrator integrator : all_integrators)
       for (const Rolling& rolling :
            {Rolling{0.0, RollingModel::constant_torque}, Rolling{0.1, RollingModel::constant_torque},
@@ -193,10 +193,10 @@ TEST(Momentum, IsConserved) {
         ASSERT_TRUE(engine.touching_pairs().empty());
         const Momentum after = momentum_of(engine.particles);
         const double scale = engine.particles.mass[1] * 0.1;
-        EXPECT_LT(norm(after.linear - before.linear), 1e-13 * scale) << name_of(law) << ", " << name_of(integrator);
+        EXPECT_LT(norm(after.linear - before.linear), 1e-13 * scale) << law << ", " << name_of(integrator);
         EXPECT_LT(norm(after.angular - before.angular),
                   (integrator == Integrator::gear ? 1e-9 : 1e-13) * scale * radius)
-            << name_of(law) << ", " << name_of(integrator) << ", rolling friction " << rolling.friction;
+            << law << ", " << name_of(integrator) << ", rolling friction " << rolling.friction;
       }
 }
 

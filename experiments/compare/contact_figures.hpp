@@ -1,0 +1,17 @@
+#pragma once
+
+#include <filesystem>
+#include <vector>
+
+#include "experiments/compare/contact_study.hpp"
+#include "experiments/compare/picture.hpp"
+
+namespace slfb::compare {
+
+/// Draws one collision, restitution, duration and peak force over the speed, the oblique impact, and the bounce in a
+/// liquid.
+std::vector<Picture> draw_contact_pictures(const std::vector<ComparedContactLaw>& laws,
+                                           const std::vector<ContactFindings>& findings,
+                                           const std::filesystem::path& folder);
+
+}  // namespace slfb::compare
