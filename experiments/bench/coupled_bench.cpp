@@ -99,11 +99,9 @@ dem::Particles fluidised(const Scene& scene, int threads, const std::filesystem:
 }  // namespace
 
 const std::vector<CoupledCase>& coupled_cases() {
-  // The residual is that of the source. What the interval of the void fraction costs in accuracy is measured in
-  // experiments/pressure_noise and in frontier.
+  // The residual of the pressure equation is the source's.
   const std::vector<std::string> common{"fluid.pressure_velocity=projection", "fluid.pressure_tolerance=1e-5",
-                                        "coupling.void_fraction=exact-overlap",
-                                        "coupling.void_fraction_interval=0.5 ms"};
+                                        "coupling.void_fraction=exact-overlap"};
   const auto with = [&](std::vector<std::string> own) {
     own.insert(own.begin(), common.begin(), common.end());
     return own;

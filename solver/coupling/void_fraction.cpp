@@ -24,6 +24,23 @@ VolumeShares::VolumeShares(VoidFractionScheme scheme, int meshing_pieces, const 
     if (diameter > 0.0) stride_ *= static_cast<std::size_t>(diameter / axis.width * (1.0 + 1e-9)) + 2;
   }
   if (scheme == VoidFractionScheme::particle_meshing) pieces_ = meshing_template(meshing_pieces);
+  std::vector<int> squares_of_cell(static_cast<std::size_t>(grid.cells()), 0);
+  for (int iy = 0; iy < grid.squares(1); ++iy)
+    for (int ix = 0; ix < grid.squares(0); ++ix)
+      ++squares_of_cell[static_cast<std::size_t>(grid.cell_of_square(ix, iy))];
+  for (int iy = 0; iy < grid.squares(1); ++iy)
+    for (int ix = 0; ix < grid.squares(0); ++ix)
+      alone_.push_back(squares_of_cell[static_cast<std::size_t>(grid.cell_of_square(ix, iy))] == 1);
+}
+
+/// No two squares of the block belong to one cell, and none lies across a periodic side.
+bool VolumeShares::has_a_cell_per_square(const Block& block) const {
+  for (std::size_t a : {std::size_t{0}, std::size_t{1}})
+    if (block.first[a] < 0 || block.first[a] + block.cells[a] > axis_[a].cells) return false;
+  for (int iy = block.first[1]; iy < block.first[1] + block.cells[1]; ++iy)
+    for (int ix = block.first[0]; ix < block.first[0] + block.cells[0]; ++ix)
+      if (!alone_[static_cast<std::size_t>(iy * axis_[0].cells + ix)]) return false;
+  return true;
 }
 
 std::vector<std::array<double, 3>> VolumeShares::meshing_template(int pieces) {
@@ -103,6 +120,21 @@ void VolumeShares::keep_occupied(std::size_t i, const Block& block) {
     return k >= 0 && k < axis.cells ? k : ((k % axis.cells) + axis.cells) % axis.cells;
   };
   int count = 0, part = 0;
+  if (has_a_cell_per_square(block)) {
+    for (int ix = 0; ix < block.cells[0]; ++ix)
+      for (int iy = 0; iy < block.cells[1]; ++iy) {
+        const int bottom =
+            grid_.cell_of_square(block.first[0] + ix, block.first[1] + iy) * grid_.layers() + block.first[2];
+        for (int iz = 0; iz < block.cells[2]; ++iz, ++part) {
+          const double share = shares[part];
+          cells[count] = static_cast<std::uint32_t>(bottom + iz);
+          shares[count] = share;
+          count += share > 0.0 ? 1 : 0;
+        }
+      }
+    count_[i] = count;
+    return;
+  }
   for (int ix = 0; ix < block.cells[0]; ++ix)
     for (int iy = 0; iy < block.cells[1]; ++iy) {
       const int column =

@@ -101,6 +101,7 @@ class VolumeShares {
   /// Shares of the block's cells, z fastest: by counting pieces, and exactly.
   void mesh_particle(const Block& block, const std::array<double, 3>& x, double r, double* parts) const;
   void cut_sphere(const Block& block, const std::array<double, 3>& x, double r, double* parts) const;
+  [[nodiscard]] bool has_a_cell_per_square(const Block& block) const;
   /// Turns the shares of the block's cells, written where sphere i keeps its own, into cells and shares.
   void keep_occupied(std::size_t i, const Block& block);
 
@@ -110,6 +111,7 @@ class VolumeShares {
   std::array<Axis, 3> axis_;
   std::size_t stride_ = 1;
   std::vector<std::array<double, 3>> pieces_;
+  std::vector<char> alone_;  ///< per square of the section: its cell holds no other square
   std::vector<std::uint32_t> cell_;
   std::vector<double> share_;
   std::vector<int> count_;
