@@ -91,10 +91,14 @@ Profile load_profile(const std::string& name) {
     if (!node.is_table()) throw std::runtime_error(fmt::format("profile \"{}\": a run is not a table", name));
     const toml::table& run = *node.as_table();
     const auto system = definitions.value<std::string>(run, "system");
-    const auto scene = definitions.value<std::string>(definitions.entry("systems", system), "scene");
+    const toml::table& definition = definitions.entry("systems", system);
+    const auto scene = definitions.value<std::string>(definition, "scene");
+    auto overrides = profile_overrides;
+    append(overrides, definitions.values<std::string>(definition, "overrides"));
+    if (run.contains("overrides")) append(overrides, definitions.values<std::string>(run, "overrides"));
     const auto variant = run["variant"].value_or<std::string>("");
     for (const double velocity : definitions.values<double>(run, "superficial_velocities")) {
-      RunSpec spec{system, velocity, variant, scene, profile_overrides};
+      RunSpec spec{system, velocity, variant, scene, overrides};
       spec.overrides.push_back(fmt::format("liquid.superficial_velocity={} m/s", velocity));
       if (!variant.empty()) {
         append(spec.overrides, definitions.values<std::string>(definitions.entry("variants", variant), "overrides"));

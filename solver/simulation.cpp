@@ -19,6 +19,7 @@
 #include "solver/dem/engine.hpp"
 #include "solver/dem/granular_temperature.hpp"
 #include "solver/dem/packing.hpp"
+#include "solver/fluctuation_window.hpp"
 #include "solver/fluid/liquid_solver.hpp"
 #include "solver/io/hdf5_file.hpp"
 #include "solver/io/vtkhdf.hpp"
@@ -102,6 +103,8 @@ class Simulation {
   void sample_contact_forces();
   void sample_drop();
   void record_plane();
+  void take_snapshot(const std::string& moment);
+  void take_snapshots_of_drop(bool ended);
   void write_snapshot();
   void save(const std::filesystem::path& file) const;
   bool resume(const std::filesystem::path& file);
@@ -122,6 +125,7 @@ class Simulation {
   dem::Engine engine_;
   std::unique_ptr<fluid::LiquidSolver> liquid_;
   std::unique_ptr<coupling::PhaseCoupling> still_, coupled_;
+  std::optional<FluctuationWindow> window_;
   RunResult result_;
   Position position_;
   std::int64_t fluidised_steps_ = 0, substeps_ = 1;
@@ -152,6 +156,7 @@ Simulation::Simulation(const Scene& scene, const RunOptions& options)
     engine_.lubricate({scene.liquid.viscosity, scene.coupling.lubrication_roughness, scene.coupling.lubrication_range});
   if (scene.fluid.tier != FluidTier::quiescent)
     liquid_ = std::make_unique<fluid::LiquidSolver>(scene, false, options.threads);
+  if (liquid_) window_.emplace(liquid_->grid());
   still_ = std::make_unique<coupling::PhaseCoupling>(scene, nullptr);
   coupled_ = std::make_unique<coupling::PhaseCoupling>(scene, liquid_.get(), scene.liquid.superficial_velocity);
 }
@@ -211,7 +216,10 @@ void Simulation::end_stage() {
     result_.packed_height = 2.0 * moment / volume;
     result_.packed_voidage = 1.0 - volume / (area * result_.packed_height);
   }
-  if (stage.kind == StageKind::fluidise) record_plane();
+  if (stage.kind == StageKind::fluidise) {
+    record_plane();
+    if (window_) window_->reduce(result_.fluctuation);
+  }
 }
 
 void Simulation::release(const Stage& stage) {
@@ -237,6 +245,7 @@ void Simulation::release(const Stage& stage) {
   result_.drops.push_back(std::move(drop));
   position_.falling = 1;
   position_.phase_steps = 0;
+  if (result_.drops.size() == 1) take_snapshot("release");
 }
 
 void Simulation::take_out() {
@@ -275,7 +284,11 @@ void Simulation::advance() {
   ++fluidised_steps_;
   add_to_balance(momentum_before);
   remove_at_outlet();
-  if (fluidised_steps_ % std::max<std::int64_t>(1, steps_in(scene_.recording.bed_interval)) == 0) sample_bed();
+  if (fluidised_steps_ % std::max<std::int64_t>(1, steps_in(scene_.recording.bed_interval)) == 0) {
+    sample_bed();
+    if (window_ && stage.kind == StageKind::fluidise && 2 * position_.steps > steps_in(stage.duration))
+      window_->sample(fluidised_seconds(), coupled_->cell_velocity(), result_.fluctuation);
+  }
   if (scene_.recording.snapshot_interval > 0.0 && fluidised_steps_ % steps_in(scene_.recording.snapshot_interval) == 0)
     write_snapshot();
   if (stage.kind == StageKind::drop) advance_drop(stage);
@@ -291,7 +304,9 @@ void Simulation::advance_drop(const Stage& stage) {
   if (position_.phase_steps % std::max<std::int64_t>(1, steps_in(scene_.recording.drop_interval)) == 0) sample_drop();
   const bool arrived = engine_.touches_wall(static_cast<std::size_t>(foreign_), 0);
   if (arrived) result_.drops.back().bottom_time = static_cast<double>(position_.phase_steps) * scene_.fluid.time_step;
-  if (arrived || position_.phase_steps >= steps_in(stage.duration)) take_out();
+  const bool ended = arrived || position_.phase_steps >= steps_in(stage.duration);
+  take_snapshots_of_drop(ended);
+  if (ended) take_out();
 }
 
 double Simulation::sphere_momentum() const {
@@ -460,6 +475,27 @@ void Simulation::record_plane() {
   result_.plane = std::move(plane);
 }
 
+void Simulation::take_snapshot(const std::string& moment) {
+  constexpr double resolution = 1.0 / 65536.0;  // [m]; what is below would only fill the file
+  const auto& particles = engine_.particles;
+  Snapshot snapshot{
+      moment,          fluidised_seconds(), foreign_, particles.position.x, particles.position.y, particles.position.z,
+      particles.radius};
+  for (auto* coordinate : {&snapshot.x, &snapshot.y, &snapshot.z})
+    for (double& value : *coordinate) value = resolution * std::round(value / resolution);
+  result_.snapshots.push_back(std::move(snapshot));
+}
+
+/// The first dropped sphere when it enters the bed, halfway down, and at the end of its way.
+void Simulation::take_snapshots_of_drop(bool ended) {
+  if (result_.drops.size() != 1 || result_.bed.bed_top.empty()) return;
+  const double z = engine_.particles.position.z[static_cast<std::size_t>(foreign_)];
+  const double top = result_.bed.bed_top.back();
+  if (result_.snapshots.size() == 1 && z < top) take_snapshot("enters");
+  if (result_.snapshots.size() == 2 && z < 0.5 * top) take_snapshot("halfway");
+  if (ended) take_snapshot("ends");
+}
+
 void Simulation::write_snapshot() {
   const auto folder = options_.directory / "snapshots";
   std::filesystem::create_directories(folder);
@@ -506,6 +542,7 @@ void Simulation::save(const std::filesystem::path& file) const {
                              tracked_force_[0], tracked_force_[1], tracked_force_[2], tracked_steps_});
     h5.write("still/further_forces", still_->further_state());
     h5.write("coupled/further_forces", coupled_->further_state());
+    h5.write("coupled/void_fraction_interval", coupled_->interval_state());
     h5.write("particles/added_mass", particles.added_mass);
     h5.write("sums_since_last_sample", sums);
     h5.write_attribute("/", "scene_hash", scene_hash(scene_));
@@ -556,9 +593,9 @@ bool Simulation::resume(const std::filesystem::path& file) {
       state[f] = h5.read_doubles(fmt::format("liquid/{}", fluid::LiquidSolver::state_names[f]));
     liquid_->restore(state);
   }
-  still_->restore({}, h5.read_doubles("still/further_forces"));
-  coupled_->restore(liquid_ ? h5.read_doubles("liquid/volume") : std::vector<double>{},
-                    h5.read_doubles("coupled/further_forces"));
+  still_->restore({}, engine_.particles, {}, h5.read_doubles("still/further_forces"));
+  coupled_->restore(liquid_ ? h5.read_doubles("liquid/volume") : std::vector<double>{}, engine_.particles,
+                    h5.read_doubles("coupled/void_fraction_interval"), h5.read_doubles("coupled/further_forces"));
   const auto sums = h5.read_doubles("sums_since_last_sample");
   std::copy_n(sums.begin(), balance_.force.size(), balance_.force.begin());
   const auto sum = [&](std::size_t k) { return sums.at(balance_.force.size() + k); };

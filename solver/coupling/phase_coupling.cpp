@@ -47,31 +47,89 @@ void PhaseCoupling::resize(std::size_t n) {
     for (auto& field : *fields) field.resize(n, 0.0);
 }
 
-void PhaseCoupling::sphere_removed(std::size_t i) {
+void PhaseCoupling::sphere_added() {
   liquid_before_.clear();
+  interval_step_ = interval_steps_;
+}
+
+void PhaseCoupling::sphere_removed(std::size_t i) {
+  sphere_added();
   further_.remove(i);
 }
 
-void PhaseCoupling::restore(std::vector<double> liquid_volume, const std::vector<double>& further_state) {
+int PhaseCoupling::steps_per_interval() const {
+  return static_cast<int>(std::max(1L, std::lround(scene_.coupling.void_fraction_interval / scene_.fluid.time_step)));
+}
+
+std::vector<double> PhaseCoupling::interval_state() const {
+  if (liquid_ == nullptr || steps_per_interval() == 1 || interval_step_ >= interval_steps_) return {};
+  std::vector<double> state{static_cast<double>(interval_steps_), static_cast<double>(interval_step_)};
+  for (const auto* field :
+       {&interval_start_, &interval_end_, &interval_centres_.x, &interval_centres_.y, &interval_centres_.z})
+    state.insert(state.end(), field->begin(), field->end());
+  return state;
+}
+
+void PhaseCoupling::restore(std::vector<double> liquid_volume, const dem::Particles& particles,
+                            const std::vector<double>& interval_state, const std::vector<double>& further_state) {
   liquid_before_ = std::move(liquid_volume);
   further_.restore(further_state);
   cells_valid_ = false;
+  if (interval_state.empty()) return;
+  auto next = interval_state.begin();
+  interval_steps_ = static_cast<int>(*next++);
+  interval_step_ = static_cast<int>(*next++);
+  const auto read = [&](std::vector<double>& field, std::size_t size) {
+    field.assign(next, next + static_cast<std::ptrdiff_t>(size));
+    next += static_cast<std::ptrdiff_t>(size);
+  };
+  const std::size_t n = particles.size();
+  read(interval_start_, liquid_->grid().size());
+  read(interval_end_, liquid_->grid().size());
+  for (auto* field : {&interval_centres_.x, &interval_centres_.y, &interval_centres_.z}) read(*field, n);
+  shares_->update(interval_centres_, particles.radius, 1);
 }
 
-void PhaseCoupling::update_void_fraction(const dem::Engine& engine) {
-  const Stopwatch stopwatch(void_fraction_seconds_);
+/// The liquid at the end of an interval, from where the spheres will then be; after a sphere has been put in or taken
+/// out an interval of a single step, which displaces nothing.
+void PhaseCoupling::start_interval(const dem::Engine& engine, double time_step) {
   const dem::Particles& particles = engine.particles;
   const fluid::ColumnGrid& grid = liquid_->grid();
-  shares_->update(particles, engine.threads());
+  interval_step_ = 0;
+  interval_steps_ = liquid_before_.empty() ? 1 : steps_per_interval();
+  if (steps_per_interval() == 1) {
+    shares_->update(particles, engine.threads());
+  } else {
+    const double ahead = (interval_steps_ - 1) * time_step;
+    interval_centres_ = particles.position;
+    for (std::size_t i = 0; i < particles.size(); ++i) {
+      interval_centres_.x[i] += ahead * particles.velocity.x[i];
+      interval_centres_.y[i] += ahead * particles.velocity.y[i];
+      interval_centres_.z[i] += ahead * particles.velocity.z[i];
+    }
+    shares_->update(interval_centres_, particles.radius, engine.threads());
+  }
   shares_->scatter<1>({&volume_}, {&solid_}, engine.threads());
   smoothing_->scatter(solid_, engine.threads());
+  interval_end_.resize(grid.size());
+  const auto layers = static_cast<std::size_t>(grid.layers());
+  for (std::size_t c = 0; c < grid.size(); ++c)
+    interval_end_[c] = grid.volume(static_cast<int>(c / layers)) - solid_[c];
+  interval_start_ = liquid_before_.empty() ? interval_end_ : liquid_before_;
+}
+
+void PhaseCoupling::update_void_fraction(const dem::Engine& engine, double time_step) {
+  const Stopwatch stopwatch(void_fraction_seconds_);
+  const fluid::ColumnGrid& grid = liquid_->grid();
+  if (interval_step_ >= interval_steps_ || interval_end_.empty()) start_interval(engine, time_step);
+  ++interval_step_;
   liquid_now_.resize(grid.size());
   cell_scratch_.resize(grid.size());
   const auto layers = static_cast<std::size_t>(grid.layers());
+  const double done = static_cast<double>(interval_step_) / interval_steps_;
   for (std::size_t c = 0; c < grid.size(); ++c) {
-    const double cell_volume = grid.volume(static_cast<int>(c / layers));
-    liquid_now_[c] = cell_volume - solid_[c];
-    cell_scratch_[c] = liquid_now_[c] / cell_volume;
+    liquid_now_[c] = done == 1.0 ? interval_end_[c] : std::lerp(interval_start_[c], interval_end_[c], done);
+    cell_scratch_[c] = liquid_now_[c] / grid.volume(static_cast<int>(c / layers));
   }
   smoothing_->gather(cell_scratch_, engine.threads());
   for (std::size_t c = 0; c < grid.size(); ++c) cells_[c].value[CellValues::voidage] = cell_scratch_[c];
@@ -274,7 +332,7 @@ void PhaseCoupling::advance(dem::Engine& engine, double time_step) {
     return;
   }
   cells_.resize(liquid_->grid().size());
-  update_void_fraction(engine);
+  update_void_fraction(engine, time_step);
   if (!cells_valid_) read_liquid(engine.threads());
   if (further_.any()) apply_further_forces(engine);
   read_at_spheres(engine, time_step);

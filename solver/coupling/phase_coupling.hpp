@@ -27,6 +27,9 @@ namespace slfb::coupling {
 /// The spheres' shares φ that make the void fraction also gather the liquid's velocity, pressure gradient and viscous
 /// force, so that every impulse on one phase is taken from the other. Where voidage and velocity are asked for at the
 /// sphere's centre instead, the difference enters as a correction of the slip and leaves that pairing as it is.
+///
+/// With a void_fraction_interval of several liquid steps the shares are those of where the spheres will be at its end
+/// if they keep their velocities, and the void fraction goes there evenly: no jump between intervals, no volume lost.
 class PhaseCoupling {
  public:
   /// `liquid` may be null: liquid of the uniform velocity `prescribed_velocity` upwards [m/s], single-sphere drag
@@ -38,7 +41,7 @@ class PhaseCoupling {
 
   /// Tells that a sphere has been put in, or that sphere i has been taken out: the next step sees no liquid displaced
   /// by that.
-  void sphere_added() { liquid_before_.clear(); }
+  void sphere_added();
   void sphere_removed(std::size_t i);
 
   /// Values at the spheres after the last advance.
@@ -64,9 +67,12 @@ class PhaseCoupling {
 
   /// Liquid volume per cell at the last step, for checkpoints [m³].
   [[nodiscard]] const std::vector<double>& liquid_volume() const { return liquid_before_; }
+  /// The present interval of the void fraction, for checkpoints; empty when every step has its own.
+  [[nodiscard]] std::vector<double> interval_state() const;
   /// What the further forces remember, for checkpoints.
   [[nodiscard]] std::vector<double> further_state() const { return further_.state(); }
-  void restore(std::vector<double> liquid_volume, const std::vector<double>& further_state);
+  void restore(std::vector<double> liquid_volume, const dem::Particles& particles,
+               const std::vector<double>& interval_state, const std::vector<double>& further_state);
 
  private:
   using LawKernel = std::function<void(std::span<const double> voidage, std::span<const double> reynolds,
@@ -77,7 +83,9 @@ class PhaseCoupling {
   [[nodiscard]] bool slip_is_corrected() const {
     return at_centres_ || (liquid_ != nullptr && further_.corrects_disturbance());
   }
-  void update_void_fraction(const dem::Engine& engine);
+  void update_void_fraction(const dem::Engine& engine, double time_step);
+  void start_interval(const dem::Engine& engine, double time_step);
+  [[nodiscard]] int steps_per_interval() const;
   void read_liquid(int threads);
   void read_at_spheres(const dem::Engine& engine, double time_step);
   void apply_further_forces(dem::Engine& engine);
@@ -96,6 +104,10 @@ class PhaseCoupling {
   FurtherForces further_;
   LawKernel law_;
   std::vector<double> liquid_before_, liquid_now_, solid_, cell_scratch_;
+  // The present interval of the void fraction: its steps, those done, the liquid at both ends, the spheres at its end.
+  int interval_steps_ = 1, interval_step_ = 0;
+  std::vector<double> interval_start_, interval_end_;
+  dem::VectorField interval_centres_;
   std::vector<CellValues> cells_;  ///< what the spheres read
   bool cells_valid_ = false;
   /// Per cell: u [m/s], dynamic ∇p [Pa/m], −∇p + ∇·τ [N/m³].

@@ -126,17 +126,17 @@ void VolumeShares::keep_occupied(std::size_t i, const Block& block) {
   count_[i] = count;
 }
 
-void VolumeShares::update(const dem::Particles& particles, int threads) {
-  const std::size_t n = particles.size();
-  if (n > 0 && *std::max_element(particles.radius.begin(), particles.radius.end()) > largest_radius_)
+void VolumeShares::update(const dem::VectorField& centres, const std::vector<double>& radius, int threads) {
+  const std::size_t n = radius.size();
+  if (n > 0 && *std::max_element(radius.begin(), radius.end()) > largest_radius_)
     throw std::invalid_argument("void fraction: a sphere is larger than the largest of the scene's species");
   cell_.resize(n * stride_);
   share_.resize(n * stride_);
   count_.resize(n);
 #pragma omp parallel for num_threads(threads) schedule(static)
   for (std::size_t i = 0; i < n; ++i) {
-    const auto x = particles.position.at(i);
-    const double r = particles.radius[i];
+    const auto x = centres.at(i);
+    const double r = radius[i];
     const Block block = block_around(x, scheme_ == VoidFractionScheme::centroid ? 0.0 : r);
     double* parts = &share_[i * stride_];
     if (block.size() == 1)

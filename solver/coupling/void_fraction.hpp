@@ -19,7 +19,8 @@ class VolumeShares {
   /// Spheres must not be larger than `largest_radius` [m]; update() throws std::invalid_argument if one is.
   VolumeShares(VoidFractionScheme scheme, int meshing_pieces, const fluid::ColumnGrid& grid, double largest_radius);
 
-  void update(const dem::Particles& particles, int threads);
+  void update(const dem::Particles& particles, int threads) { update(particles.position, particles.radius, threads); }
+  void update(const dem::VectorField& centres, const std::vector<double>& radius, int threads);
 
   [[nodiscard]] std::size_t stride() const { return stride_; }
   [[nodiscard]] const std::uint32_t* cells(std::size_t i) const { return &cell_[i * stride_]; }

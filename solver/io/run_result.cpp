@@ -78,6 +78,37 @@ constexpr std::array plane_columns{
     Column<PlaneField>{"velocity_z", "m s-1", &PlaneField::velocity_z},
 };
 
+using Liquid = LiquidFluctuation;
+constexpr std::array fluctuation_columns{
+    Column<Liquid>{"time", "s", &Liquid::time, Storage::float64},
+    Column<Liquid>{"x", "m", &Liquid::x, Storage::float64},
+    Column<Liquid>{"z", "m", &Liquid::z, Storage::float64},
+    Column<Liquid>{"mean_x", "m s-1", &Liquid::mean_x},
+    Column<Liquid>{"mean_y", "m s-1", &Liquid::mean_y},
+    Column<Liquid>{"mean_z", "m s-1", &Liquid::mean_z},
+    Column<Liquid>{"deviation_x", "m s-1", &Liquid::deviation_x},
+    Column<Liquid>{"deviation_y", "m s-1", &Liquid::deviation_y},
+    Column<Liquid>{"deviation_z", "m s-1", &Liquid::deviation_z},
+    Column<Liquid>{"deviation_vector", "m s-1", &Liquid::deviation_vector},
+    Column<Liquid>{"rms_x", "m s-1", &Liquid::rms_x},
+    Column<Liquid>{"rms_y", "m s-1", &Liquid::rms_y},
+    Column<Liquid>{"rms_z", "m s-1", &Liquid::rms_z},
+    Column<Liquid>{"series_x", "m s-1", &Liquid::series_x},
+    Column<Liquid>{"series_y", "m s-1", &Liquid::series_y},
+    Column<Liquid>{"series_z", "m s-1", &Liquid::series_z},
+    Column<Liquid>{"series_vector", "m s-1", &Liquid::series_vector},
+    Column<Liquid>{"samples_x", "m s-1", &Liquid::samples_x, Storage::float64},
+    Column<Liquid>{"samples_y", "m s-1", &Liquid::samples_y, Storage::float64},
+    Column<Liquid>{"samples_z", "m s-1", &Liquid::samples_z, Storage::float64},
+};
+
+constexpr std::array snapshot_columns{
+    Column<Snapshot>{"x", "m", &Snapshot::x},
+    Column<Snapshot>{"y", "m", &Snapshot::y},
+    Column<Snapshot>{"z", "m", &Snapshot::z},
+    Column<Snapshot>{"radius", "m", &Snapshot::radius},
+};
+
 template <class Columns, class Group>
 void write_columns(Hdf5File& file, const std::string& group, const Columns& columns, const Group& values) {
   for (const auto& column : columns) {
@@ -133,6 +164,16 @@ void save_result(const RunResult& result, const std::filesystem::path& file) {
     }
     target.write("plane/time", {result.plane.time}, "s");
     write_columns(target, "plane", plane_columns, result.plane);
+    write_columns(target, "liquid_fluctuation", fluctuation_columns, result.fluctuation);
+    target.write_attribute("snapshots", "count", static_cast<std::int64_t>(result.snapshots.size()));
+    for (std::size_t i = 0; i < result.snapshots.size(); ++i) {
+      const Snapshot& snapshot = result.snapshots[i];
+      const std::string group = fmt::format("snapshots/{:04}", i);
+      target.write_attribute(group, "moment", snapshot.moment);
+      target.write_attribute(group, "foreign", snapshot.foreign);
+      target.write(group + "/time", {snapshot.time}, "s");
+      write_columns(target, group, snapshot_columns, snapshot);
+    }
   });
 }
 
@@ -166,6 +207,17 @@ RunResult load_result(const std::filesystem::path& file) {
   }
   result.plane.time = read_number(source, "plane/time");
   read_columns(source, "plane", plane_columns, result.plane);
+  if (!source.exists("liquid_fluctuation")) return result;  // written before these were recorded
+  read_columns(source, "liquid_fluctuation", fluctuation_columns, result.fluctuation);
+  const std::int64_t snapshots = source.read_integer_attribute("snapshots", "count");
+  for (std::int64_t i = 0; i < snapshots; ++i) {
+    Snapshot& snapshot = result.snapshots.emplace_back();
+    const std::string group = fmt::format("snapshots/{:04}", i);
+    snapshot.moment = source.read_string_attribute(group, "moment");
+    snapshot.foreign = source.read_integer_attribute(group, "foreign");
+    snapshot.time = read_number(source, group + "/time");
+    read_columns(source, group, snapshot_columns, snapshot);
+  }
   return result;
 }
 

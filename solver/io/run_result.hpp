@@ -62,6 +62,28 @@ struct PlaneField {
   std::vector<double> velocity_x, velocity_z;  ///< interstitial liquid velocity at the cell centres [m/s]
 };
 
+/// Fluctuation of the liquid's velocity (Eq. 37) in the window that the source films: cells of the plane y = 0 (those
+/// on its positive side) with 0.1 m < z < 0.2 m, over the second half of the fluidise stage.
+struct LiquidFluctuation {
+  std::vector<double> time;                                         ///< of the samples [s]
+  std::vector<double> x, z;                                         ///< centres of the cells [m]
+  std::vector<double> mean_x, mean_y, mean_z;                       ///< mean velocity per cell [m/s]
+  std::vector<double> deviation_x, deviation_y, deviation_z;        ///< mean |u − ū| per cell and component [m/s]
+  std::vector<double> deviation_vector;                             ///< mean length of the vector u − ū [m/s]
+  std::vector<double> rms_x, rms_y, rms_z;                          ///< root mean square of u − ū [m/s]
+  std::vector<double> series_x, series_y, series_z, series_vector;  ///< per sample, mean over the cells of |u − ū|
+  std::vector<double> samples_x, samples_y, samples_z;              ///< only while they are taken: sample after sample
+};
+
+/// Where the spheres were at one instant, to 1/65536 m.
+struct Snapshot {
+  std::string moment;           ///< of the first dropped sphere: "release", "enters", "halfway", "ends"
+  double time = 0.0;            ///< on the clock of BedSeries [s]
+  std::int64_t foreign = -1;    ///< index of the dropped sphere
+  std::vector<double> x, y, z;  ///< centres [m]
+  std::vector<double> radius;   ///< [m]
+};
+
 struct RunResult {
   std::string name;        ///< hash of the scene and the numerics version
   std::string scene_text;  ///< canonical TOML of the scene, every value in SI
@@ -81,6 +103,8 @@ struct RunResult {
   BedSeries bed;
   std::vector<DropSeries> drops;
   PlaneField plane;  ///< at the end of the fluidise stage
+  LiquidFluctuation fluctuation;
+  std::vector<Snapshot> snapshots;
 };
 
 /// Writes `result` to an HDF5 file: one group per series, attribute `unit` on each data set, scene text,

@@ -83,7 +83,8 @@ struct Contact {
 struct Coupling {
   std::string drag_law = "gidaspow-1994";
   VoidFractionScheme void_fraction = VoidFractionScheme::exact_overlap;
-  int meshing_pieces = 1214;  ///< particle meshing: pieces per sphere
+  int meshing_pieces = 1214;            ///< particle meshing: pieces per sphere
+  double void_fraction_interval = 0.0;  ///< between computations of the void fraction [s]; 0: in every liquid step
   MomentumExchange exchange = MomentumExchange::semi_implicit;
   Interpolation interpolation = Interpolation::shares;  ///< of voidage and liquid velocity at the spheres
   double added_mass = 0.0;                              ///< C_m, 0.5 for a sphere alone; 0: none [-]

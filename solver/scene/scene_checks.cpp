@@ -241,6 +241,11 @@ class PhysicsCheck {
       problem("coupling.lubrication_roughness", with_unit(coupling.lubrication_roughness, units::length),
               "leaves nothing of the range; allowed is less than coupling.lubrication_range = {} m",
               shortest(coupling.lubrication_range));
+    const double intervals = coupling.void_fraction_interval / scene_.fluid.time_step;
+    if (std::abs(intervals - std::round(intervals)) > 1e-9 * std::max(1.0, intervals))
+      problem("coupling.void_fraction_interval", with_unit(coupling.void_fraction_interval, units::time),
+              "is {} liquid steps; allowed is 0 or a whole multiple of fluid.time_step = {} s", shortest(intervals),
+              shortest(scene_.fluid.time_step));
     const double smoothing = scene_.coupling.smoothing_length;
     if (smoothing > column_width())
       problem("coupling.smoothing_length", with_unit(smoothing, units::length),

@@ -165,6 +165,7 @@ void describe(Visitor& visitor, Scene& scene) {
     visitor.text("drag_law", coupling.drag_law, optional);
     visitor.choice("void_fraction", coupling.void_fraction, void_fractions, optional);
     visitor.integer("meshing_pieces", coupling.meshing_pieces, one_to_a_million, optional);
+    visitor.number("void_fraction_interval", coupling.void_fraction_interval, u::time, not_negative, optional);
     visitor.choice("exchange", coupling.exchange, exchanges, optional);
     visitor.choice("interpolation", coupling.interpolation, interpolations, optional);
     visitor.number("added_mass", coupling.added_mass, u::ratio, not_negative, optional);
