@@ -12,6 +12,7 @@
 #include "experiments/commands/check.hpp"
 #include "experiments/commands/compare.hpp"
 #include "experiments/commands/figures.hpp"
+#include "experiments/commands/frontier.hpp"
 #include "experiments/commands/laws.hpp"
 #include "experiments/commands/list.hpp"
 #include "experiments/commands/run.hpp"
@@ -69,6 +70,7 @@ int main(int argc, char** argv) {
   slfb::add_check_command(app);
   slfb::add_compare_command(app);
   slfb::add_run_command(app);
+  slfb::add_frontier_command(app);
   slfb::add_laws_command(app);
   slfb::add_law_command(app);
   slfb::add_bench_command(app);

@@ -38,8 +38,8 @@ const ProblemQuantity& find_quantity(const Problem& problem, const std::string& 
     if (quantity.name == name) return quantity;
     known.push_back(quantity.name);
   }
-  throw std::invalid_argument(fmt::format("the problem \"{}\" has no quantity \"{}\"; known: {}", problem.name, name,
-                                          fmt::join(known, ", ")));
+  throw std::invalid_argument(
+      fmt::format("the problem \"{}\" has no quantity \"{}\"; known: {}", problem.name, name, fmt::join(known, ", ")));
 }
 
 Scene Trial::scene() const {
@@ -47,9 +47,7 @@ Scene Trial::scene() const {
   for (const std::string& setting : settings)
     if (!setting.starts_with(parameter_prefix)) overrides.push_back(setting);
   overrides.push_back(fmt::format("seed={}", replicate + 1));
-  return load_scene(
-      std::filesystem::path(SLFB_SOURCE_DIR) / "experiments" / find_problem(problem).scene,
-      overrides);
+  return load_scene(std::filesystem::path(SLFB_SOURCE_DIR) / "experiments" / find_problem(problem).scene, overrides);
 }
 
 Parameters Trial::parameters() const {
@@ -63,7 +61,8 @@ Parameters Trial::parameters() const {
       std::vector<std::string> known;
       for (const auto& [key, value] : values) known.push_back(key);
       throw std::invalid_argument(fmt::format("{}: the problem \"{}\" has no such parameter; it has: {}", setting,
-                                              problem, known.empty() ? "none" : fmt::format("{}", fmt::join(known, ", "))));
+                                              problem,
+                                              known.empty() ? "none" : fmt::format("{}", fmt::join(known, ", "))));
     }
     try {
       values[name] = std::stod(setting.substr(equals + 1));

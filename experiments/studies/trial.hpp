@@ -59,7 +59,11 @@ struct Trial {
   std::vector<std::string> settings;
   int replicate = 0;  ///< another start of the same, for statistics
 
-  /// The scene and the parameters; throws SceneError or std::invalid_argument naming the setting that is wrong.
+  /// Throws SceneError or std::invalid_argument naming the setting that is wrong.
+  void check() const {
+    (void)scene();
+    (void)parameters();
+  }
   [[nodiscard]] Scene scene() const;
   [[nodiscard]] Parameters parameters() const;
   /// Sixteen hexadecimal digits of everything that the answer depends on, numerics version included.

@@ -45,8 +45,8 @@ std::optional<TrialResult> TrialStore::find(const Trial& trial) const {
 void TrialStore::keep(const Trial& trial, const TrialResult& result) const {
   const auto file = file_of(trial);
   std::filesystem::create_directories(file.parent_path());
-  json kept{{"problem", trial.problem},       {"settings", trial.settings}, {"replicate", trial.replicate},
-            {"counts", result.counts},        {"failure", result.failure},  {"machine", result.machine},
+  json kept{{"problem", trial.problem},          {"settings", trial.settings}, {"replicate", trial.replicate},
+            {"counts", result.counts},           {"failure", result.failure},  {"machine", result.machine},
             {"cpu_seconds", result.cpu_seconds}, {"values", json::object()}};
   for (const auto& [name, value] : result.values)
     kept["values"][name] = {

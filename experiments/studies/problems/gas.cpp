@@ -33,7 +33,10 @@ TrialResult solve(const Scene& scene, const Parameters& parameters, int replicat
     const auto n = static_cast<double>(component->size());
     const double mean = std::accumulate(component->begin(), component->end(), 0.0) / n;
     double squares = 0.0;
-    for (double& v : *component) squares += (v -= mean) * v;
+    for (double& v : *component) {
+      v -= mean;
+      squares += v * v;
+    }
     for (double& v : *component) v *= std::sqrt(temperature * n / squares);
   }
   const auto energy = [&] {

@@ -83,9 +83,8 @@ TrialResult solve(const Scene& scene, const Parameters& parameters, int) {
   }
   const auto cases = static_cast<double>(time_steps.size());
   TrialResult result;
-  result.values = {{"restitution", restitution.result()},
-                   {"contact_time", duration.result()},
-                   {"peak_overlap", overlap.result()}};
+  result.values = {
+      {"restitution", restitution.result()}, {"contact_time", duration.result()}, {"peak_overlap", overlap.result()}};
   result.counts = {{"force evaluations", evaluations / cases}};
   result.cpu_seconds = cpu / (cases * phases);
   return result;
@@ -94,13 +93,16 @@ TrialResult solve(const Scene& scene, const Parameters& parameters, int) {
 }  // namespace
 
 Problem impact_problem() {
-  return {"impact",
-          "A sphere strikes a plane wall head-on, with 64 different starts within a step; exact: the damped oscillator.",
-          "contact",
-          "studies/scenes/sphere.toml",
-          {{"restitution", "restitution", "-"}, {"contact_time", "contact time", "s"}, {"peak_overlap", "peak overlap", "m"}},
-          {{"steps_per_contact", 0.0}},  // 0: the step of the scene
-          solve};
+  return {
+      "impact",
+      "A sphere strikes a plane wall head-on, with 64 different starts within a step; exact: the damped oscillator.",
+      "contact",
+      "studies/scenes/sphere.toml",
+      {{"restitution", "restitution", "-"},
+       {"contact_time", "contact time", "s"},
+       {"peak_overlap", "peak overlap", "m"}},
+      {{"steps_per_contact", 0.0}},  // 0: the step of the scene
+      solve};
 }
 
 }  // namespace slfb::studies

@@ -1,10 +1,11 @@
+#include "solver/dem/packing.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <random>
 
 #include "experiments/studies/problems/problem_list.hpp"
 #include "solver/dem/engine.hpp"
-#include "solver/dem/packing.hpp"
 #include "solver/dem/walls.hpp"
 
 namespace slfb::studies {

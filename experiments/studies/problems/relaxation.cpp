@@ -60,7 +60,7 @@ TrialResult solve(const Scene& given, const Parameters& parameters, int) {
     for (std::size_t s = 0; s < u.size() / levels; ++s)
       of_liquid += u[s * levels + levels / 2] * static_cast<double>(levels) / static_cast<double>(u.size());
     const double low = static_cast<double>(levels / 2) * liquid.grid().cell_height();
-    for (std::size_t i = 0; i < places.size(); ++i)
+    for (std::size_t i = 0; i < places.z.size(); ++i)
       if (places.z[i] >= low && places.z[i] < low + liquid.grid().cell_height()) {
         of_spheres += engine.particles.velocity.x[i];
         ++n;
@@ -88,13 +88,14 @@ TrialResult solve(const Scene& given, const Parameters& parameters, int) {
 }  // namespace
 
 Problem relaxation_problem() {
-  return {"relaxation",
-          "A homogeneous suspension drifts through liquid at rest: the slip decays exponentially to the common velocity.",
-          "relaxation time",
-          "studies/scenes/sphere.toml",
-          {{"slip", "slip over that at the start", "-"}, {"growth", "slip after all steps over that at the start", "-"}},
-          {{"solids", 0.4}, {"density_ratio", 2.23}, {"stiffness", 0.0}, {"steps", 40.0}},
-          solve};
+  return {
+      "relaxation",
+      "A homogeneous suspension drifts through liquid at rest: the slip decays exponentially to the common velocity.",
+      "relaxation time",
+      "studies/scenes/sphere.toml",
+      {{"slip", "slip over that at the start", "-"}, {"growth", "slip after all steps over that at the start", "-"}},
+      {{"solids", 0.4}, {"density_ratio", 2.23}, {"stiffness", 0.0}, {"steps", 40.0}},
+      solve};
 }
 
 }  // namespace slfb::studies
