@@ -7,6 +7,7 @@
 #include "experiments/fig13_void_fraction/fig13.hpp"
 #include "experiments/fig25_collision_force/fig25.hpp"
 #include "experiments/figure.hpp"
+#include "experiments/frontier/frontier_figures.hpp"
 #include "experiments/frontier/integrators.hpp"
 #include "experiments/kinetic_theory/kinetic_theory.hpp"
 #include "experiments/pressure_noise/pressure_noise.hpp"
@@ -14,17 +15,21 @@
 namespace slfb {
 
 const std::vector<Figure>& figures() {
-  static const std::vector<Figure> list{fig01(),
-                                        fig05(),
-                                        fig08(),
-                                        fig09(),
-                                        fig10(),
-                                        fig13(),
-                                        fig25(),
-                                        drag_law_question(),
-                                        pressure_noise(),
-                                        kinetic_theory(),
-                                        frontier_integrators()};
+  static const std::vector<Figure> list = [] {
+    std::vector<Figure> all{fig01(),
+                            fig05(),
+                            fig08(),
+                            fig09(),
+                            fig10(),
+                            fig13(),
+                            fig25(),
+                            drag_law_question(),
+                            pressure_noise(),
+                            kinetic_theory(),
+                            frontier_integrators()};
+    for (Figure& figure : study_figures()) all.push_back(std::move(figure));
+    return all;
+  }();
   return list;
 }
 

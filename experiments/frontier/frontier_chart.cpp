@@ -21,6 +21,9 @@ std::string style_of(std::size_t series, double size) {
   return fmt::format("linecolor rgb '{}' linewidth 1.6 pointtype {} pointsize {}", colours[k], points[k], size);
 }
 
+/// A label of an axis as a heading: with a unit.
+std::string heading(const std::string& label) { return label.ends_with(']') ? label : label + " [-]"; }
+
 struct Reason {
   std::string text;
   int number;
@@ -42,8 +45,7 @@ FigureOutput draw_frontier(const Study& study, const ReducedStudy& reduced, cons
   }
   // One table a method: what is drawn, and no more.
   std::vector<Reason> reasons;
-  std::vector<std::string> columns{fmt::format("{} [-]", study.axis_label),
-                                   fmt::format("CPU time per {} [s]", problem.cost_unit),
+  std::vector<std::string> columns{heading(study.axis_label), fmt::format("CPU time per {} [s]", problem.cost_unit),
                                    fmt::format("{} per {} [-]", study.count, problem.cost_unit), "replicates [-]",
                                    "number of the reason of failure [-]"};
   const std::size_t first_quantity = columns.size();
@@ -55,9 +57,9 @@ FigureOutput draw_frontier(const Study& study, const ReducedStudy& reduced, cons
       shown.push_back(quantity);
   for (const std::string& quantity : shown) {
     const auto& about = studies::find_quantity(problem, quantity);
-    for (const char* what : {"", ", half width of the 95 % interval"})
+    for (const char* what : {"", " (half width of the 95 % interval)"})
       columns.push_back(fmt::format("{}{} [{}]", about.title, what, about.unit));
-    for (const char* what : {"relative error", "relative error, low", "relative error, high"})
+    for (const char* what : {"relative error", "relative error (low)", "relative error (high)"})
       columns.push_back(fmt::format("{} of {} [-]", what, about.title));
   }
   std::vector<std::string> names;

@@ -78,6 +78,19 @@ std::vector<double> TableReader::numbers(const std::string& key) {
   return values;
 }
 
+std::map<std::string, double> TableReader::numbers_by_name(const std::string& key) {
+  std::map<std::string, double> values;
+  const toml::node* node = find(key);
+  if (node == nullptr) return values;
+  if (!node->is_table()) throw problem(key, "must be a table of numbers");
+  for (const auto& [name, item] : *node->as_table()) {
+    const auto value = item.value<double>();
+    if (!value) throw problem(key, "must be a table of numbers");
+    values[std::string(name.str())] = *value;
+  }
+  return values;
+}
+
 TableReader TableReader::table(const std::string& key) {
   const toml::table* inner = required(key).as_table();
   if (inner == nullptr) throw problem(key, "must be a table");

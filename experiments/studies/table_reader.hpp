@@ -3,7 +3,7 @@
 #include <toml++/toml.h>
 
 #include <filesystem>
-#include <optional>
+#include <map>
 #include <set>
 #include <string>
 #include <vector>
@@ -22,6 +22,8 @@ class TableReader {
   [[nodiscard]] bool flag(const std::string& key);  ///< false without the key
   [[nodiscard]] std::vector<std::string> texts(const std::string& key);
   [[nodiscard]] std::vector<double> numbers(const std::string& key);
+  /// A table whose values are all numbers; empty without the key.
+  [[nodiscard]] std::map<std::string, double> numbers_by_name(const std::string& key);
   [[nodiscard]] bool has(const std::string& key) const { return table_.contains(key); }
   [[nodiscard]] TableReader table(const std::string& key);
   /// None without the key.

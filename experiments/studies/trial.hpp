@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "experiments/studies/thread_time.hpp"
 #include "solver/scene/scene_file.hpp"
 
 /// Small numerical experiments that studies and maps repeat with other settings.
@@ -72,8 +73,5 @@ struct Trial {
 
 /// Solves the problem. A method that breaks down is an answer: its reason is kept in `failure`.
 TrialResult solve(const Trial& trial);
-
-/// CPU time of the calling thread [s].
-double thread_cpu_seconds();
 
 }  // namespace slfb::studies
