@@ -182,9 +182,12 @@ void print_plan(const Options& options, const Scene& scene, const Plan& made) {
   fmt::print("\nestimated error (band)  ");
   std::vector<std::string> parts;
   for (const std::string& quantity : made.asked)
-    parts.push_back(fmt::format("{} {:.2g} % ({:.2g} %)", quantity,
+    parts.push_back(fmt::format("{} {:.2g} % ({:.2g} %{})", quantity,
                                 made.effect.contains(quantity) ? 100.0 * made.effect.at(quantity) : 0.0,
-                                100.0 * made.band.at(quantity)));
+                                100.0 * made.band.at(quantity),
+                                made.effect.contains(quantity) && made.effect.at(quantity) > made.band.at(quantity)
+                                    ? ": NOT MET, take a richer choice"
+                                    : ""));
   fmt::print("{}\nestimated cost          {} of CPU; the scene as it stands: {}\n", fmt::join(parts, ", "),
              made.by_formula ? "milliseconds" : format_duration(made.core_seconds),
              format_duration(made.given_core_seconds));

@@ -14,11 +14,16 @@ namespace {
 
 constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
 
-std::string style_of(std::size_t series, double size) {
-  constexpr std::array colours{"#0072b2", "#d55e00", "#009e73", "#aa4499", "#8a6d00", "#56b4e9", "#5a4fa2", "#b0303c"};
+constexpr std::array colours{"#0072b2", "#d55e00", "#009e73", "#aa4499", "#8a6d00", "#56b4e9", "#5a4fa2", "#b0303c"};
+
+std::string style_of(std::size_t series) {
   constexpr std::array points{7, 5, 9, 13, 11, 15, 6, 4};
   const std::size_t k = series % colours.size();
-  return fmt::format("linecolor rgb '{}' linewidth 1.6 pointtype {} pointsize {}", colours[k], points[k], size);
+  return fmt::format("linecolor rgb '{}' linewidth 1.6 pointtype {} pointsize 0.75", colours[k], points[k]);
+}
+
+std::string bars_of(std::size_t series) {
+  return fmt::format("linecolor rgb '{}' linewidth 1.2 pointtype 0", colours[series % colours.size()]);
 }
 
 /// A label of an axis as a heading: with a unit.
@@ -129,8 +134,8 @@ FigureOutput draw_frontier(const Study& study, const ReducedStudy& reduced, cons
         elements += fmt::format(
             "{}'{}.csv' skip 1 using {}:{} with linespoints {} title {}, '' skip 1 using {}:{}:{}:{} with yerrorbars "
             "{} notitle",
-            elements.empty() ? "" : ", ", names[s], cost, at + 2, style_of(s, 0.75),
-            titled ? gnuplot_text(study.series[s]) : "''", cost, at + 2, at + 3, at + 4, style_of(s, 0.0));
+            elements.empty() ? "" : ", ", names[s], cost, at + 2, style_of(s),
+            titled ? gnuplot_text(study.series[s]) : "''", cost, at + 2, at + 3, at + 4, bars_of(s));
         if (std::none_of(reduced.points.begin(), reduced.points.end(),
                          [&](const ReducedPoint& p) { return p.series == study.series[s] && !p.failure.empty(); }))
           continue;
@@ -156,7 +161,7 @@ FigureOutput draw_frontier(const Study& study, const ReducedStudy& reduced, cons
       }
       low = std::max(low, 1e-12);
       plots += fmt::format("top = {:.6g}\nset yrange [{:.6g}:{:.6g}]\n", 5.0 * high, 0.4 * low, 9.0 * high);
-      if (!key_drawn) plots += "set key at screen 0.5, 0.985 center top horizontal maxrows 2 font ',12'\n";
+      if (!key_drawn) plots += "set key at screen 0.5, 0.985 center top vertical maxrows 2 width 2 font ',12'\n";
       plots += fmt::format("plot {}\nunset object 1\nset key off\n", elements);
       key_drawn = true;
     }
@@ -170,7 +175,7 @@ FigureOutput draw_frontier(const Study& study, const ReducedStudy& reduced, cons
   for (std::string& line : lines)
     if (line.size() > longest) line = line.substr(0, longest - 3) + "...";
   const int head = 62, foot = 16 * static_cast<int>(lines.size()) + 10;
-  const int height = 265 * static_cast<int>(rows_drawn) + head + foot;
+  const int height = 285 * static_cast<int>(rows_drawn) + head + foot;
   std::string commands = fmt::format("set logscale xy\nset format '10^{{%L}}'\nset tics font ',11'\n");
   for (std::size_t k = 0; k < lines.size(); ++k)
     commands +=
@@ -178,7 +183,7 @@ FigureOutput draw_frontier(const Study& study, const ReducedStudy& reduced, cons
                     gnuplot_text(lines[k]), (foot - 4.0 - 16.0 * (static_cast<double>(k) + 0.5)) / height);
   commands +=
       fmt::format("set multiplot layout {},{} margins {:.4f},0.985,{:.4f},{:.4f} spacing 0.075,{:.4f}\n", rows_drawn,
-                  columns_drawn, 62.0 / width, (foot + 46.0) / height, 1.0 - (head + 4.0) / height, 84.0 / height);
+                  columns_drawn, 62.0 / width, (foot + 54.0) / height, 1.0 - (head + 20.0) / height, 108.0 / height);
   // The text below belongs to the page, not to each of its plots.
   const std::string clear = fmt::format("unset for [tag=901:{}] label tag\n", 900 + lines.size());
   const auto after_first = plots.find("unset object 1\n");

@@ -153,8 +153,8 @@ std::vector<Number> numbers_of(const Scene& scene) {
           {"steps_per_contact", std::numbers::pi * contact_time_step_bound(scene) / scene.contact.time_step,
            "in the scene as it stands"},
           {"stiffness", stiffness, "of the normal spring [N/m]"},
-          {"overlap_at_soft", terminal * std::sqrt(0.5 * mass / 1e3) / sphere.diameter,
-           "of an impact at the terminal velocity with 1e3 N/m, in diameters"}};
+          {"overlap_at_soft", scene.liquid.superficial_velocity * std::sqrt(0.5 * mass / 1e3) / sphere.diameter,
+           "of an impact at U_L with 1e3 N/m, in diameters"}};
 }
 
 std::vector<std::string> usual_questions(const Scene& scene) {
@@ -187,6 +187,15 @@ Plan make_plan(const Scene& scene, const std::vector<std::string>& asked, const 
   std::vector<Pending> pending;
   for (const Rule& rule : rules.list) {
     if (decided.contains(rule.subject) || !holds(rule, plan.numbers, asked)) continue;
+    // A choice that leaves the band of a quantity gives way to a later one, if there is one.
+    const auto outside = std::ranges::any_of(asked, [&](const std::string& quantity) {
+      const auto found = rule.effect.find(quantity);
+      return found != rule.effect.end() && found->second > rules.bands.at(quantity);
+    });
+    if (outside && std::any_of(&rule + 1, rules.list.data() + rules.list.size(), [&](const Rule& later) {
+          return later.subject == rule.subject && holds(later, plan.numbers, asked);
+        }))
+      continue;
     decided.insert(rule.subject);
     // Without a simulation there is nothing else to choose.
     if (rule.subject == "tier" && rule.set.empty()) plan.by_formula = true;

@@ -118,7 +118,11 @@ FigureOutput draw_map(const Map& map, const SolvedMap& solved, const std::filesy
                           upward ? 0.96 : 0.04);
   commands += fmt::format("set label 301 'holds' at graph 0.985, graph {} right font ',12' textcolor rgb '#3f7f5f'\n",
                           upward ? 0.04 : 0.96);
-  commands += "set key outside below maxcols 2 left Left reverse font ',11' width 2\n";
+  const std::size_t rows = (map.series.size() + theory_elements.size() + 1) / 2;
+  commands += fmt::format(
+      "set bmargin {}\nset key at graph 0.5, graph -0.17 center top vertical maxrows {} Left reverse font ',11' width "
+      "2\n",
+      5 + rows, rows);
   draw_figure(id, commands + "plot " + elements + "\n", {620, 500}, folder);
   std::set<std::string> told;
   for (const Boundary& b : solved.boundaries) {

@@ -25,12 +25,12 @@ const std::vector<std::pair<ProblemQuantity, std::string>>& measured() {
   static const std::vector<std::pair<ProblemQuantity, std::string>> list{
       {{"voidage", "voidage", "-"}, "voidage_centre_of_mass"},
       {{"pressure_drop", "pressure drop", "Pa"}, "pressure_drop"},
-      {{"fluctuating_energy", "q_p²", "m²/s²"}, "fluctuating_energy"},
+      {{"fluctuating_energy", "q_p² of the spheres", "m²/s²"}, "fluctuating_energy"},
       {{"contacts", "contacts per sphere", "-"}, "contacts_per_particle"},
-      {{"classification_velocity", "V_2", "m/s"}, "classification_velocity"},
-      {{"collision_frequency", "f_{coll}", "1/s"}, "collision_frequency"},
-      {{"force_ratio", "|F_c|/mg", "-"}, "collision_force_ratio"},
-      {{"peak_force", "largest |F_c|/mg", "-"}, "peak_force_ratio"}};
+      {{"classification_velocity", "classification velocity", "m/s"}, "classification_velocity"},
+      {{"collision_frequency", "collision frequency", "1/s"}, "collision_frequency"},
+      {{"force_ratio", "mean contact force over weight", "-"}, "collision_force_ratio"},
+      {{"peak_force", "largest contact force", "-"}, "peak_force_ratio"}};
   return list;
 }
 
