@@ -63,8 +63,8 @@ FigureOutput draw_map(const Map& map, const SolvedMap& solved, const std::filesy
     const std::string colour = colour_of(s);
     elements += fmt::format(
         "{0}'{1}.csv' skip 1 using 1:2 with linespoints linecolor rgb '{2}' linewidth 2 pointtype {3} pointsize 0.8 "
-        "title {4}, '' skip 1 using 1:2:3:4 with yerrorbars linecolor rgb '{2}' linewidth 1.4 pointtype {3} pointsize "
-        "0 "
+        "title {4}, '' skip 1 using 1:2:3:4 with yerrorbars linecolor rgb '{2}' linewidth 1.4 pointtype 0 "
+        "
         "notitle, '' skip 1 using 1:5:(0):(arrow) with vectors head filled linecolor rgb '{2}' linewidth 2 notitle",
         elements.empty() ? "" : ", ", table.name, colour, points[s % points.size()], gnuplot_text(map.series[s].name));
     // A theory that depends on the method is drawn in its colour, one for all once and in grey.
@@ -112,8 +112,9 @@ FigureOutput draw_map(const Map& map, const SolvedMap& solved, const std::filesy
                           gnuplot_text(map.x_label), gnuplot_text(map.y_label));
   commands += fmt::format("arrow = {:.6g}\n", upward ? map.y_high * 0.45 : -map.y_low * 0.35);
   for (std::size_t m = 0; m < map.marks.size(); ++m)
-    commands += fmt::format("set label {} {} at {:.6g}, {:.6g} offset 1, 0 font ',11' front\n", 200 + m,
-                            gnuplot_text(map.marks[m].text), map.marks[m].x, map.marks[m].y);
+    commands += fmt::format("set label {} {} at {:.6g}, {:.6g} {} font ',11' front\n", 200 + m,
+                            gnuplot_text(map.marks[m].text), map.marks[m].x, map.marks[m].y,
+                            map.marks[m].x > 0.7 * right ? "right offset -1, 0" : "offset 1, 0");
   commands += fmt::format("set label 300 'fails' at graph 0.985, graph {} right font ',12' textcolor rgb '#b0303c'\n",
                           upward ? 0.96 : 0.04);
   commands += fmt::format("set label 301 'holds' at graph 0.985, graph {} right font ',12' textcolor rgb '#3f7f5f'\n",
