@@ -64,7 +64,6 @@ FigureOutput draw_map(const Map& map, const SolvedMap& solved, const std::filesy
     elements += fmt::format(
         "{0}'{1}.csv' skip 1 using 1:2 with linespoints linecolor rgb '{2}' linewidth 2 pointtype {3} pointsize 0.8 "
         "title {4}, '' skip 1 using 1:2:3:4 with yerrorbars linecolor rgb '{2}' linewidth 1.4 pointtype 0 "
-        "
         "notitle, '' skip 1 using 1:5:(0):(arrow) with vectors head filled linecolor rgb '{2}' linewidth 2 notitle",
         elements.empty() ? "" : ", ", table.name, colour, points[s % points.size()], gnuplot_text(map.series[s].name));
     // A theory that depends on the method is drawn in its colour, one for all once and in grey.
