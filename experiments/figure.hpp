@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -30,8 +31,8 @@ struct FigureOutput {
 struct Figure {
   std::string id;  ///< "fig05"
   std::string title;
-  std::vector<std::string> (*needs)(const Profile&);  ///< "system/U_L[/variant]" of the runs it draws
-  FigureOutput (*draw)(const FigureContext&);
+  std::function<std::vector<std::string>(const Profile&)> needs;  ///< "system/U_L[/variant]" of the runs it draws
+  std::function<FigureOutput(const FigureContext&)> draw;
   std::string folder = "";  ///< in experiments/, with its code and README.md
 };
 

@@ -25,6 +25,7 @@
 #include "experiments/fig25_collision_force/fig25.hpp"
 #include "experiments/fig26_force_parity/fig26.hpp"
 #include "experiments/figure.hpp"
+#include "experiments/frontier/frontier_figures.hpp"
 #include "experiments/frontier/integrators.hpp"
 #include "experiments/kinetic_theory/kinetic_theory.hpp"
 #include "experiments/pressure_noise/pressure_noise.hpp"
@@ -34,38 +35,42 @@
 namespace slfb {
 
 const std::vector<Figure>& figures() {
-  static const std::vector<Figure> list{table1(),
-                                        table2(),
-                                        fig01(),
-                                        fig02(),
-                                        fig03(),
-                                        fig04(),
-                                        fig05(),
-                                        fig06(),
-                                        fig07(),
-                                        fig08(),
-                                        fig09(),
-                                        fig10(),
-                                        fig11(),
-                                        fig12(),
-                                        fig13(),
-                                        fig14(),
-                                        fig15(),
-                                        fig16(),
-                                        fig17(),
-                                        fig18(),
-                                        fig19(),
-                                        fig20(),
-                                        fig21(),
-                                        fig22(),
-                                        fig23(),
-                                        fig24(),
-                                        fig25(),
-                                        fig26(),
-                                        drag_law_question(),
-                                        pressure_noise(),
-                                        kinetic_theory(),
-                                        frontier_integrators()};
+  static const std::vector<Figure> list = [] {
+    std::vector<Figure> all{table1(),
+                            table2(),
+                            fig01(),
+                            fig02(),
+                            fig03(),
+                            fig04(),
+                            fig05(),
+                            fig06(),
+                            fig07(),
+                            fig08(),
+                            fig09(),
+                            fig10(),
+                            fig11(),
+                            fig12(),
+                            fig13(),
+                            fig14(),
+                            fig15(),
+                            fig16(),
+                            fig17(),
+                            fig18(),
+                            fig19(),
+                            fig20(),
+                            fig21(),
+                            fig22(),
+                            fig23(),
+                            fig24(),
+                            fig25(),
+                            fig26(),
+                            drag_law_question(),
+                            pressure_noise(),
+                            kinetic_theory(),
+                            frontier_integrators()};
+    for (Figure& figure : study_figures()) all.push_back(std::move(figure));
+    return all;
+  }();
   return list;
 }
 

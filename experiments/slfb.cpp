@@ -12,9 +12,12 @@
 #include "experiments/commands/check.hpp"
 #include "experiments/commands/compare.hpp"
 #include "experiments/commands/figures.hpp"
+#include "experiments/commands/frontier.hpp"
 #include "experiments/commands/laws.hpp"
 #include "experiments/commands/list.hpp"
+#include "experiments/commands/plan.hpp"
 #include "experiments/commands/run.hpp"
+#include "experiments/commands/stability.hpp"
 #include "solver/scene/scene.hpp"
 
 namespace {
@@ -69,6 +72,9 @@ int main(int argc, char** argv) {
   slfb::add_check_command(app);
   slfb::add_compare_command(app);
   slfb::add_run_command(app);
+  slfb::add_plan_command(app);
+  slfb::add_frontier_command(app);
+  slfb::add_stability_command(app);
   slfb::add_laws_command(app);
   slfb::add_law_command(app);
   slfb::add_bench_command(app);

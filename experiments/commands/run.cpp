@@ -13,6 +13,7 @@
 
 #include "experiments/analysis.hpp"
 #include "experiments/measure.hpp"
+#include "experiments/plan/plan.hpp"
 #include "experiments/run_campaign.hpp"
 #include "experiments/run_estimate.hpp"
 #include "experiments/run_files.hpp"
@@ -26,6 +27,7 @@ using nlohmann::json;
 constexpr const char* examples = R"(Examples:
   slfb run experiments/scenes/6in5W.toml --dry-run        check the scene, show what it costs
   slfb run scene.toml --threads 2                         simulate
+  slfb run scene.toml --plan auto                         simulate no more than V_2 and voidage need
   slfb run scene.toml --set "liquid.superficial_velocity=0.08 m/s" --set stage[2].repetitions=5
 
 The result lies in DIR/runs/HASH/result.h5, HASH being computed from every value of the scene: the same scene is not
@@ -36,6 +38,8 @@ struct Options {
   std::filesystem::path out = SLFB_BUILD_DIR;
   int threads = 1;
   Overrides overrides;
+  bool planned = false;
+  std::vector<std::string> asked;
   bool dry_run = false;
   bool json = false;
 };
@@ -164,7 +168,17 @@ const char* status_of(const CampaignOutcome& outcome) {
 
 /// Returns the exit status.
 int run(const Options& options) {
-  const Scene scene = load_scene(options.scene, options.overrides);
+  Scene scene = load_scene(options.scene, options.overrides);
+  if (options.planned) {
+    const plan::Plan made = plan::make_plan(scene, options.asked.empty() ? plan::usual_questions(scene) : options.asked,
+                                            plan::load_rules());
+    if (made.by_formula) {
+      for (const auto& [quantity, value] : plan::answer_by_formula(scene, made))
+        fmt::print("{} = {:.6g} by {}; nothing to simulate\n", quantity, value, made.decisions.front().choice);
+      return 0;
+    }
+    scene = plan::changed(scene, made.overrides);
+  }
   if (options.dry_run) return print_plan(options, scene);
 
   const std::string hash = scene_hash(scene);
@@ -202,6 +216,14 @@ void add_run_command(CLI::App& app) {
       ->capture_default_str();
   command->add_option("--set", options->overrides, "Replace a value of the scene: KEY=VALUE, may be repeated")
       ->allow_extra_args(false);
+  command
+      ->add_option_function<std::string>(
+          "--plan", [options](const std::string&) { options->planned = true; },
+          "auto: models, stiffness and steps as `slfb plan` chooses them")
+      ->check(CLI::IsMember({"auto"}));
+  command->add_option("--for", options->asked, "Quantities that the plan is made for (see `slfb plan --help`)")
+      ->delimiter(',')
+      ->type_name("Q,...");
   command->add_flag("--dry-run", options->dry_run, "Check the scene and show what would run, without running it");
   command->add_flag("--json", options->json, "Write the plan or the summary as JSON");
   command->footer(examples);

@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <ctime>
 #include <limits>
 #include <numbers>
 #include <random>
 
+#include "experiments/studies/thread_time.hpp"
 #include "solver/coupling/diffusion_smoothing.hpp"
 #include "solver/coupling/void_fraction.hpp"
 
@@ -105,9 +105,9 @@ std::vector<Outcome> compare(const Assembly& assembly, int across, int placement
       const std::vector<double>* found = nullptr;
       double spent = 0.0;
       do {
-        const std::clock_t start = std::clock();
+        const double start = studies::thread_cpu_seconds();
         found = &sharings[m](spheres);
-        const double seconds = static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
+        const double seconds = studies::thread_cpu_seconds() - start;
         outcome.nanoseconds = std::min(outcome.nanoseconds, 1e9 * seconds / static_cast<double>(spheres.size()));
         spent += seconds;
       } while (spent < timed);

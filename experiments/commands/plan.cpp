@@ -1,0 +1,270 @@
+#include "experiments/commands/plan.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <optional>
+
+#include "experiments/measure.hpp"
+#include "experiments/plan/plan.hpp"
+#include "experiments/run_campaign.hpp"
+#include "experiments/run_estimate.hpp"
+#include "experiments/run_files.hpp"
+#include "experiments/studies/trial.hpp"
+
+namespace slfb {
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::ordered_json;
+using plan::Decision;
+using plan::Plan;
+
+constexpr const char* examples = R"(Examples:
+  slfb plan experiments/scenes/6in5W.toml                          what the usual questions need: V_2 and voidage
+  slfb plan experiments/scenes/6in5W.toml --for force_ratio        only |F_c|/mg: one dimension is enough
+  slfb plan experiments/scenes/6in5W.toml --for minimum_fluidisation_velocity    a root, nothing to simulate
+  slfb plan experiments/scenes/single_sphere.toml                  terminal velocity by an ODE, with the answer
+  slfb plan scene.toml --for voidage --verify                      run the richer choices and compare
+  slfb run scene.toml --plan auto                                  simulate as planned
+
+Quantities: terminal_velocity, minimum_fluidisation_velocity, voidage, pressure_drop, classification_velocity (V_2),
+force_ratio (|F_c|/mg), fluctuating_energy (q_p²), collision_frequency, peak_force, contacts.
+The rules are experiments/plan/rules.toml, each with its source and with the study or map behind it. `--verify` repeats
+the planned run with each richer choice in turn and says whether the asked quantities stay inside their bands: a rule
+whose choice leaves its band is named, and the exit status is 1.)";
+
+struct Options {
+  fs::path scene;
+  std::vector<std::string> asked;
+  Overrides overrides;
+  fs::path out = SLFB_BUILD_DIR;
+  int jobs = 2;
+  bool verify = false, json = false;
+};
+
+const std::map<std::string, std::string>& measured_names() {
+  static const std::map<std::string, std::string> names{{"terminal_velocity", "terminal_velocity"},
+                                                        {"voidage", "voidage_centre_of_mass"},
+                                                        {"pressure_drop", "pressure_drop"},
+                                                        {"classification_velocity", "classification_velocity"},
+                                                        {"force_ratio", "collision_force_ratio"},
+                                                        {"fluctuating_energy", "fluctuating_energy"},
+                                                        {"collision_frequency", "collision_frequency"},
+                                                        {"peak_force", "peak_force_ratio"},
+                                                        {"contacts", "contacts_per_particle"}};
+  return names;
+}
+
+std::string effect_text(const std::map<std::string, double>& effect) {
+  std::vector<std::string> parts;
+  for (const auto& [quantity, error] : effect) parts.push_back(fmt::format("{} {:.2g} %", quantity, 100.0 * error));
+  return parts.empty() ? "none known" : fmt::format("{}", fmt::join(parts, ", "));
+}
+
+/// One ablation: the planned run beside the one with a richer choice.
+struct Verification {
+  std::string subject, choice, richer, quantity;
+  double planned, other, deviation, uncertainty, band;
+  [[nodiscard]] bool inside() const { return std::abs(deviation) <= band + uncertainty; }
+};
+
+using Answers = std::map<std::string, std::pair<double, double>>;  ///< value and half width by quantity
+
+Answers answers_of(const Scene& scene, const fs::path& out, const std::vector<std::string>& asked) {
+  const RunResult result = load_result(result_file(out, scene_hash(scene)));
+  const RunSpec spec{"scene", scene.liquid.superficial_velocity, "", "", {}};
+  const Measurements found = measure_runs({{spec, scene, result}});
+  Answers answers;
+  for (const std::string& quantity : asked) {
+    const auto name = measured_names().find(quantity);
+    if (name == measured_names().end()) continue;
+    const auto entry = found.find(measure_key(name->second, spec.system, spec.superficial_velocity));
+    if (entry != found.end())
+      answers[quantity] = {entry->second.value,
+                           std::isfinite(entry->second.half_width) ? entry->second.half_width : 0.0};
+  }
+  return answers;
+}
+
+/// Terminal velocity of the particle engine in still liquid: the richer choice beside the ODE.
+std::vector<Verification> verify_formula(const Scene& scene, const Plan& made) {
+  std::vector<Verification> checks;
+  const auto answers = plan::answer_by_formula(scene, made);
+  if (const auto found = answers.find("terminal_velocity"); found != answers.end()) {
+    const Species& sphere = scene.species.front();
+    const studies::Trial trial{
+        "fall",
+        {fmt::format("species[0].diameter={}", sphere.diameter), fmt::format("species[0].density={}", sphere.density),
+         fmt::format("liquid.density={}", scene.liquid.density),
+         fmt::format("liquid.viscosity={}", scene.liquid.viscosity), "coupling.drag_law=" + scene.coupling.drag_law,
+         "contact.stiffness=1", "contact.time_step=1e-3", "fluid.time_step=1e-3", "contact.allow_large_time_step=true"},
+        0};
+    const double other = studies::solve(trial).values.at("terminal_velocity").value;
+    checks.push_back({"tier", made.decisions.front().choice, "particle engine in still liquid", "terminal_velocity",
+                      found->second, other, found->second / other - 1.0, 0.0, made.band.at("terminal_velocity")});
+  }
+  return checks;
+}
+
+std::optional<std::vector<Verification>> verify(const Scene& scene, const Plan& made, const Options& options) {
+  if (made.by_formula) return verify_formula(scene, made);
+  const Scene planned = plan::changed(scene, made.overrides);
+  std::vector<NamedScene> scenes{{"planned", planned}};
+  std::vector<const Decision*> ablated;
+  for (const Decision& decision : made.decisions) {
+    if (decision.richer_overrides.empty()) continue;
+    scenes.push_back({decision.subject + ": " + decision.richer, plan::changed(planned, decision.richer_overrides)});
+    ablated.push_back(&decision);
+  }
+  // And each step halved.
+  static const Decision halved{"solid step", "as planned", "", "", "", {}, {}, "halved", {}, 0.0};
+  scenes.push_back({"solid step: halved",
+                    plan::changed(planned, {fmt::format("contact.time_step={}", 0.5 * planned.contact.time_step)})});
+  ablated.push_back(&halved);
+  if (run_scenes(scenes, {.out = options.out, .jobs = options.jobs}).unfinished() > 0) return std::nullopt;
+  const Answers ours = answers_of(planned, options.out, made.asked);
+  std::vector<Verification> checks;
+  for (std::size_t i = 0; i < ablated.size(); ++i) {
+    const Answers other = answers_of(scenes[i + 1].scene, options.out, made.asked);
+    for (const auto& [quantity, value] : ours)
+      if (const auto found = other.find(quantity); found != other.end())
+        checks.push_back({ablated[i]->subject, ablated[i]->choice, ablated[i]->richer, quantity, value.first,
+                          found->second.first, value.first / found->second.first - 1.0,
+                          std::hypot(value.second, found->second.second) / std::abs(found->second.first),
+                          made.band.at(quantity)});
+  }
+  return checks;
+}
+
+ordered_json json_of(const Scene& scene, const Plan& made) {
+  ordered_json json{{"asked", made.asked},
+                    {"numbers", ordered_json::object()},
+                    {"decisions", ordered_json::array()},
+                    {"overrides", made.overrides},
+                    {"core_seconds", made.core_seconds},
+                    {"core_seconds_as_given", made.given_core_seconds},
+                    {"effect", made.effect},
+                    {"band", made.band}};
+  for (const auto& number : made.numbers) json["numbers"][number.name] = number.value;
+  for (const Decision& d : made.decisions)
+    json["decisions"].push_back(
+        {{"subject", d.subject},
+         {"choice", d.choice},
+         {"why", d.why},
+         {"source", d.source},
+         {"evidence", d.evidence},
+         {"effect", d.effect},
+         {"richer", d.richer},
+         {"richer_core_seconds", d.richer.empty() ? ordered_json(nullptr) : ordered_json(d.richer_core_seconds)}});
+  if (made.by_formula) json["answers"] = plan::answer_by_formula(scene, made);
+  return json;
+}
+
+void print_plan(const Options& options, const Scene& scene, const Plan& made) {
+  fmt::print("{}: asked for {}\n\n", options.scene.string(), fmt::join(made.asked, ", "));
+  for (const auto& number : made.numbers)
+    fmt::print("  {:<28}{:>10.4g}  {}\n", number.name, number.value, number.meaning);
+  fmt::print("\n");
+  for (const Decision& d : made.decisions) {
+    fmt::print("{:<20} {}\n", d.subject, d.choice);
+    fmt::print("    why       {}\n    source    {}; evidence: {}\n    effect    {}\n", d.why, d.source, d.evidence,
+               effect_text(d.effect));
+    if (!d.richer.empty())
+      fmt::print("    richer    {}: {} of CPU instead of {}\n", d.richer, format_duration(d.richer_core_seconds),
+                 made.by_formula ? "milliseconds" : format_duration(made.core_seconds));
+  }
+  fmt::print("\nestimated error (band)  ");
+  std::vector<std::string> parts;
+  for (const std::string& quantity : made.asked)
+    parts.push_back(fmt::format("{} {:.2g} % ({:.2g} %{})", quantity,
+                                made.effect.contains(quantity) ? 100.0 * made.effect.at(quantity) : 0.0,
+                                100.0 * made.band.at(quantity),
+                                made.effect.contains(quantity) && made.effect.at(quantity) > made.band.at(quantity)
+                                    ? ": NOT MET, take a richer choice"
+                                    : ""));
+  fmt::print("{}\nestimated cost          {} of CPU; the scene as it stands: {}\n", fmt::join(parts, ", "),
+             made.by_formula ? "milliseconds" : format_duration(made.core_seconds),
+             format_duration(made.given_core_seconds));
+  if (made.by_formula) {
+    for (const auto& [quantity, value] : plan::answer_by_formula(scene, made))
+      fmt::print("answer                  {} = {:.6g}\n", quantity, value);
+  } else {
+    fmt::print("to run it               slfb run {} --plan auto --for {}\n", options.scene.string(),
+               fmt::join(made.asked, ","));
+  }
+}
+
+int run(const Options& options) {
+  const Scene scene = load_scene(options.scene, options.overrides);
+  const auto rules = plan::load_rules();
+  const Plan made = plan::make_plan(scene, options.asked.empty() ? plan::usual_questions(scene) : options.asked, rules);
+  std::optional<std::vector<Verification>> checks;
+  if (options.verify) {
+    checks = verify(scene, made, options);
+    if (!checks) return 130;
+  }
+  const bool holds = !checks || std::ranges::all_of(*checks, &Verification::inside);
+  if (options.json) {
+    ordered_json json = json_of(scene, made);
+    if (checks) {
+      json["verification"] = ordered_json::array();
+      for (const Verification& v : *checks)
+        json["verification"].push_back({{"subject", v.subject},
+                                        {"richer", v.richer},
+                                        {"quantity", v.quantity},
+                                        {"planned", v.planned},
+                                        {"with_richer", v.other},
+                                        {"deviation", v.deviation},
+                                        {"uncertainty", v.uncertainty},
+                                        {"band", v.band},
+                                        {"inside", v.inside()}});
+    }
+    fmt::print("{}\n", json.dump(2));
+    return holds ? 0 : 1;
+  }
+  print_plan(options, scene, made);
+  if (checks) {
+    fmt::print("\n{:<20}{:<36}{:<26}{:>12}{:>12}{:>18}{:>8}\n", "verified", "richer choice", "quantity", "planned",
+               "richer", "deviation", "band");
+    for (const Verification& v : *checks)
+      fmt::print("{:<20}{:<36}{:<26}{:>12.4g}{:>12.4g}{:>18}{:>8}  {}\n", v.subject, v.richer, v.quantity, v.planned,
+                 v.other, fmt::format("{:+.2g} ± {:.2g} %", 100.0 * v.deviation, 100.0 * v.uncertainty),
+                 fmt::format("{:.2g} %", 100.0 * v.band), v.inside() ? "inside" : "WRONG: the rule does not hold here");
+  }
+  return holds ? 0 : 1;
+}
+
+}  // namespace
+
+void add_plan_command(CLI::App& app) {
+  auto options = std::make_shared<Options>();
+  CLI::App* command = app.add_subcommand("plan", "Which models and steps a scene needs for what is asked of it");
+  command->add_option("SCENE", options->scene, "Scene file (TOML)")->required()->check(CLI::ExistingFile);
+  command->add_option("--for", options->asked, "Quantities that are asked for")->delimiter(',')->type_name("Q,...");
+  command->add_option("--set", options->overrides, "Replace a value of the scene: KEY=VALUE, may be repeated")
+      ->allow_extra_args(false);
+  command->add_flag("--verify", options->verify, "Run each richer choice and compare with the bands");
+  command->add_flag("--json", options->json, "Write the plan as JSON");
+  command->add_option("--out", options->out, "Folder of runs/, for --verify")->capture_default_str();
+  command->add_option("--jobs", options->jobs, "Simulations side by side, for --verify")
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str();
+  command->footer(examples);
+  command->callback([options] {
+    int status = 0;
+    try {
+      status = run(*options);
+    } catch (const std::invalid_argument& error) {  // an unknown quantity
+      throw CLI::ValidationError(error.what());
+    }
+    if (status != 0) throw CLI::RuntimeError(status);
+  });
+}
+
+}  // namespace slfb

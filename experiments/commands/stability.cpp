@@ -1,0 +1,178 @@
+#include "experiments/commands/stability.hpp"
+
+#include <fmt/chrono.h>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <atomic>
+#include <ctime>
+#include <filesystem>
+#include <memory>
+#include <mutex>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "experiments/stability/map.hpp"
+#include "experiments/stability/map_chart.hpp"
+#include "experiments/stop_signals.hpp"
+
+namespace slfb {
+namespace {
+
+namespace fs = std::filesystem;
+using stability::Boundary;
+using stability::BoundaryKind;
+using stability::Map;
+using stability::Set;
+using stability::SolvedMap;
+
+constexpr const char* examples =
+    R"(A map looks for the boundary between settings with which a method holds and settings with which it fails, by bisection
+on a criterion stated in physics: motion that must die out grows, energy that must be conserved is not, a cell gets
+more solid than it has room for, a solver gives up. The limit that theory gives is drawn beside it.
+
+Examples:
+  slfb stability --list                     the maps and their criteria
+  slfb stability                            the quick set of all maps (about 5 minutes on two cores)
+  slfb stability contact-pair packing-step  two maps
+  slfb stability --set full                 more points
+  slfb stability --no-run                   draw what exists
+
+Every trial is kept in DIR/trials: Ctrl-C loses nothing. The maps lie in DIR/stability: stability-MAP.svg/.png/.pdf, a CSV
+per method, MAP.json with brackets and diagnoses. Maps are files in experiments/stability/maps; a new one needs no code
+(experiments/stability/README.md).)";
+
+struct Options {
+  std::vector<std::string> maps;
+  std::string set = "quick";
+  fs::path out = SLFB_BUILD_DIR;
+  int jobs = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+  bool list = false, no_run = false, publish = false;
+};
+
+std::vector<Map> chosen_maps(const Options& options) {
+  std::vector<std::string> known;
+  std::vector<Map> chosen;
+  for (const fs::path& file : stability::map_files()) {
+    known.push_back(file.stem().string());
+    if (options.maps.empty() || std::ranges::find(options.maps, known.back()) != options.maps.end())
+      chosen.push_back(stability::load_map(file, options.set == "quick" ? Set::quick : Set::full));
+  }
+  for (const std::string& id : options.maps)
+    if (std::ranges::find(known, id) == known.end())
+      throw CLI::ValidationError("MAP", fmt::format("there is no map \"{}\"; known: {}", id, fmt::join(known, ", ")));
+  return chosen;
+}
+
+/// False when a signal ended it before the end.
+bool compute(const Map& map, const Options& options, SolvedMap& solved) {
+  const studies::TrialStore store(options.out / "trials");
+  const StopSignals signals;
+  struct Task {
+    const stability::MapSeries* series;
+    double x;
+  };
+  std::vector<Task> tasks;
+  for (const auto& series : map.series)
+    for (const double x : map.x_values) tasks.push_back({&series, x});
+  std::vector<std::optional<Boundary>> found(tasks.size());
+  std::atomic<std::size_t> next{0};
+  std::mutex mutex;
+  std::exception_ptr error;
+  const auto work = [&] {
+    for (std::size_t i = next++; i < tasks.size(); i = next++) {
+      try {
+        found[i] = stability::find_boundary(map, *tasks[i].series, tasks[i].x, store,
+                                            [&] { return signals.requested().load(); });
+        const std::lock_guard lock(mutex);
+        if (found[i])
+          fmt::print(stderr, "{}: {} at {:g}: {:.4g}\n", map.id, found[i]->series, found[i]->x, found[i]->y);
+      } catch (...) {
+        const std::lock_guard lock(mutex);
+        error = std::current_exception();
+        next = tasks.size();
+      }
+    }
+  };
+  {
+    std::vector<std::jthread> threads;
+    for (int job = 0; job < options.jobs; ++job) threads.emplace_back(work);
+  }
+  if (error) std::rethrow_exception(error);
+  bool whole = true;
+  for (auto& boundary : found) {
+    if (boundary)
+      solved.boundaries.push_back(std::move(*boundary));
+    else
+      whole = false;
+  }
+  return whole;
+}
+
+void print_map(const Map& map, const SolvedMap& solved) {
+  fmt::print("{}: {}\n  fails: {}\n", map.id, map.title, map.criterion_text);
+  fmt::print("  {:<30}{:>12}{:>26}", "method", "x", "boundary");
+  for (const auto& theory : map.theories) fmt::print("{:>34}", theory.name);
+  fmt::print("\n");
+  for (const Boundary& b : solved.boundaries) {
+    const std::string text = b.kind == BoundaryKind::never_fails ? fmt::format("holds to {:.3g}", b.y)
+                             : b.kind == BoundaryKind::always_fails
+                                 ? fmt::format("fails from {:.3g}", b.y)
+                                 : fmt::format("{:.4g} +- {:.1f} %", b.y, 50.0 * (b.high / b.low - 1.0));
+    fmt::print("  {:<30}{:>12.4g}{:>26}", b.series, b.x, text);
+    for (const double value : b.theory) fmt::print("{:>34.4g}", value);
+    fmt::print("\n");
+  }
+}
+
+int run(const Options& options) {
+  const auto chosen = chosen_maps(options);
+  if (options.list) {
+    for (const Map& map : chosen)
+      fmt::print("{:<22}{}\n{:<22}  fails: {}\n", map.id, map.title, "", map.criterion_text);
+    return 0;
+  }
+  bool whole = true;
+  for (const Map& map : chosen) {
+    SolvedMap solved{map.id,           options.set, "", fmt::format("{:%Y-%m-%d}", fmt::gmtime(std::time(nullptr))),
+                     numerics_version, {}};
+    if (!options.no_run && whole) {
+      whole = compute(map, options, solved);
+      stability::save_solved(solved, stability::solved_file(options.out, map.id));
+      if (options.publish && whole) stability::save_solved(solved, stability::committed_file(map.id));
+    } else {
+      solved = stability::load_solved(map, options.out);
+    }
+    stability::draw_map(map, solved, options.out / "stability");
+    print_map(map, solved);
+  }
+  fmt::print("maps: {}\n", (options.out / "stability").string());
+  if (!whole) fmt::print(stderr, "Interrupted: the same command goes on where this one stopped.\n");
+  return whole ? 0 : 130;
+}
+
+}  // namespace
+
+void add_stability_command(CLI::App& app) {
+  auto options = std::make_shared<Options>();
+  CLI::App* command = app.add_subcommand("stability", "Maps of where methods fail, with the limits of theory");
+  command->add_option("MAP", options->maps, "Maps (default: all)");
+  command->add_option("--set", options->set, "How much to compute")
+      ->check(CLI::IsMember({"quick", "full"}))
+      ->capture_default_str();
+  command->add_option("--out", options->out, "Folder of trials/ and stability/")->capture_default_str();
+  command->add_option("--jobs", options->jobs, "Trials side by side, one thread each")
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str();
+  command->add_flag("--list", options->list, "Show the maps and their criteria");
+  command->add_flag("--no-run", options->no_run, "Compute nothing, draw what exists");
+  command->add_flag("--publish", options->publish, "Write the boundaries to experiments/stability/results too");
+  command->footer(examples);
+  command->callback([options] {
+    if (const int status = run(*options); status != 0) throw CLI::RuntimeError(status);
+  });
+}
+
+}  // namespace slfb

@@ -1,0 +1,14 @@
+#pragma once
+
+#include <filesystem>
+
+#include "experiments/figure.hpp"
+#include "experiments/frontier/study.hpp"
+
+namespace slfb::frontier {
+
+/// Draws frontier-ID: a work-precision chart of every quantity, with the Pareto front in black and what failed as a
+/// cross at its cost. Its tables lie beside it.
+FigureOutput draw_frontier(const Study& study, const ReducedStudy& reduced, const std::filesystem::path& folder);
+
+}  // namespace slfb::frontier

@@ -1,0 +1,301 @@
+#include "experiments/plan/plan.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <set>
+#include <sstream>
+#include <stdexcept>
+
+#include "correlations/fluidisation/bed_expansion.hpp"
+#include "experiments/run_estimate.hpp"
+#include "experiments/studies/table_reader.hpp"
+#include "solver/dem/particles.hpp"
+#include "solver/fluid/column_grid.hpp"
+#include "solver/one_particle.hpp"
+#include "solver/user_law.hpp"
+
+namespace slfb::plan {
+namespace {
+
+constexpr double packed_voidage = 0.4;
+
+Sphere sphere_of(const Species& species) { return {species.diameter, species.density}; }
+LiquidProperties liquid_of(const Scene& scene) { return {scene.liquid.density, scene.liquid.viscosity}; }
+
+const Species& leading_species(const Scene& scene) {
+  for (const Species& species : scene.species)
+    if (species.count > 0) return species;
+  return scene.species.front();
+}
+
+double bed_spheres(const Scene& scene) {
+  double n = 0.0;
+  for (const Species& species : scene.species) n += static_cast<double>(species.count);
+  return n;
+}
+
+double terminal_velocity(const Scene& scene, const Species& sphere) {
+  return fluidisation::superficial_velocity(find_drag_law(scene.coupling.drag_law), sphere_of(sphere), liquid_of(scene),
+                                            1.0);
+}
+
+/// Velocity that lifts the packed bed [m/s].
+double minimum_velocity(const Scene& scene) {
+  return fluidisation::minimum_fluidisation_velocity(
+      find_drag_law(scene.coupling.drag_law), sphere_of(leading_species(scene)), liquid_of(scene), packed_voidage);
+}
+
+/// Two numbers with one leading digit, never above the value: steps that people can read.
+double rounded_down(double value) {
+  const double decade = std::pow(10.0, std::floor(std::log10(value)));
+  for (const double digit : {5.0, 2.0, 1.0})
+    if (digit * decade <= value * (1.0 + 1e-9)) return digit * decade;
+  return decade;
+}
+
+Rule::Condition condition_of(studies::TableReader& table, const std::string& text) {
+  std::istringstream words(text);
+  std::string number, comparison;
+  double value = 0.0;
+  if (!(words >> number >> comparison >> value) || (comparison != "<" && comparison != ">"))
+    throw table.problem("when", fmt::format("\"{}\" must read NUMBER > VALUE or NUMBER < VALUE", text));
+  return {number, comparison == ">", value};
+}
+
+bool holds(const Rule& rule, const std::vector<Number>& numbers, const std::vector<std::string>& asked) {
+  for (const auto& condition : rule.when) {
+    const auto number = std::ranges::find(numbers, condition.number, &Number::name);
+    if (number == numbers.end())
+      throw std::runtime_error(fmt::format("rules.toml: no number is called \"{}\"", condition.number));
+    if (condition.above ? !(number->value > condition.value) : !(number->value < condition.value)) return false;
+  }
+  const auto in = [](const std::vector<std::string>& list, const std::string& item) {
+    return std::ranges::find(list, item) != list.end();
+  };
+  if (!rule.asked.empty() && std::ranges::none_of(asked, [&](const auto& q) { return in(rule.asked, q); }))
+    return false;
+  return rule.only.empty() || std::ranges::all_of(asked, [&](const auto& q) { return in(rule.only, q); });
+}
+
+double core_seconds(const Scene& scene) { return estimate_run(scene).core_seconds; }
+
+/// Estimates of answers without simulation: a root, a short integration [s].
+constexpr double formula_core_seconds = 1e-3;
+
+}  // namespace
+
+Rules load_rules() {
+  const auto file = std::filesystem::path(SLFB_SOURCE_DIR) / "experiments" / "plan" / "rules.toml";
+  const toml::table parsed = studies::parse_table(file);
+  studies::TableReader table(parsed, file.string());
+  Rules rules;
+  const toml::table* bands = parsed["bands"].as_table();
+  if (bands == nullptr) throw table.problem("bands", "is missing");
+  for (const auto& [quantity, band] : *bands) rules.bands[std::string(quantity.str())] = band.value_or(0.0);
+  for (studies::TableReader& one : table.tables("rule")) {
+    Rule rule;
+    rule.subject = one.text("subject");
+    rule.choice = one.text("choice");
+    rule.why = one.text("why");
+    rule.source = one.text("source");
+    rule.evidence = one.text("evidence");
+    rule.richer = one.text("richer", "");
+    for (const std::string& text : one.texts("when")) rule.when.push_back(condition_of(one, text));
+    rule.asked = one.texts("asked");
+    rule.only = one.texts("only");
+    rule.set = one.texts("set");
+    rule.richer_set = one.texts("richer_set");
+    rule.steps_per_contact = one.number("steps_per_contact", 0.0);
+    rule.liquid_steps_per_relaxation = one.number("liquid_steps_per_relaxation", 0.0);
+    rule.effect = one.numbers_by_name("effect");
+    one.reject_others();
+    for (const auto& [quantity, error] : rule.effect)
+      if (!rules.bands.contains(quantity)) throw one.problem("effect", quantity + " has no band");
+    rules.list.push_back(std::move(rule));
+  }
+  return rules;
+}
+
+std::vector<Number> numbers_of(const Scene& scene) {
+  const Species& sphere = leading_species(scene);
+  const auto liquid = liquid_of(scene);
+  const double terminal = terminal_velocity(scene, sphere), minimum = minimum_velocity(scene);
+  const double reynolds = reynolds_number(liquid, sphere.diameter, terminal);
+  const double column = scene.geometry.shape == Shape::cylinder
+                            ? scene.geometry.diameter
+                            : std::min(scene.geometry.width[0], scene.geometry.width[1]);
+  double largest = 0.0;
+  for (const Species& species : scene.species) largest = std::max(largest, species.diameter);
+  const double mass = sphere.density * dem::Particles::volume_of(0.5 * sphere.diameter);
+  const double cell = scene.fluid.tier == FluidTier::quiescent ? 2.0 * largest : scene.fluid.cell_height;
+  // Time in which the drag alone would take up the terminal velocity.
+  const double relaxation = terminal / (gravity * (1.0 - scene.liquid.density / sphere.density));
+  const bool walls = scene.geometry.shape == Shape::cylinder || scene.fluid.wall != LateralBoundary::periodic;
+  const double stiffness = scene.contact.law == ContactLaw::linear ? scene.contact.stiffness : 0.0;
+  return {{"archimedes_number", archimedes_number(sphere_of(sphere), liquid), "Ar of the bed's spheres"},
+          {"terminal_reynolds_number", reynolds, "Re at the terminal velocity"},
+          {"stokes_number", sphere.density * sphere.diameter * terminal / (9.0 * liquid.viscosity),
+           "St of an impact at the terminal velocity"},
+          {"density_ratio", sphere.density / scene.liquid.density, "sphere over liquid"},
+          {"bed_spheres", bed_spheres(scene), "spheres of the bed"},
+          {"column_over_diameter", column / sphere.diameter, "width of the column in diameters"},
+          {"has_walls", walls ? 1.0 : 0.0, "1 with side walls, 0 for periodic sides"},
+          {"cell_over_diameter", cell / sphere.diameter, "cell in diameters of the bed's spheres"},
+          {"cell_over_largest", cell / largest, "cell in diameters of the largest sphere"},
+          {"velocity_over_minimum", scene.liquid.superficial_velocity / minimum, "U_L over U_mf: 1 is the packed bed"},
+          {"velocity_over_terminal", scene.liquid.superficial_velocity / terminal, "U_L over u_t: 1 is wash-out"},
+          {"relaxation_time", relaxation, "of the drag at the terminal velocity [s]"},
+          {"liquid_steps_per_relaxation", relaxation / scene.fluid.time_step, "in the scene as it stands"},
+          {"steps_per_contact", std::numbers::pi * contact_time_step_bound(scene) / scene.contact.time_step,
+           "in the scene as it stands"},
+          {"stiffness", stiffness, "of the normal spring [N/m]"},
+          {"overlap_at_soft", scene.liquid.superficial_velocity * std::sqrt(0.5 * mass / 1e3) / sphere.diameter,
+           "of an impact at U_L with 1e3 N/m, in diameters"}};
+}
+
+std::vector<std::string> usual_questions(const Scene& scene) {
+  if (!(bed_spheres(scene) > 0.0)) return {"terminal_velocity"};
+  for (const Stage& stage : scene.stages)
+    if (stage.kind == StageKind::drop) return {"classification_velocity", "voidage"};
+  return {"voidage", "pressure_drop"};
+}
+
+Scene changed(const Scene& scene, const Overrides& overrides) {
+  return overrides.empty() ? scene : parse_scene(canonical_toml(scene), "plan", overrides);
+}
+
+Plan make_plan(const Scene& scene, const std::vector<std::string>& asked, const Rules& rules) {
+  std::vector<std::string> known;
+  for (const auto& [quantity, band] : rules.bands) known.push_back(quantity);
+  for (const std::string& quantity : asked)
+    if (!rules.bands.contains(quantity))
+      throw std::invalid_argument(
+          fmt::format("there is no quantity \"{}\"; known: {}", quantity, fmt::join(known, ", ")));
+  Plan plan;
+  plan.asked = asked;
+  plan.numbers = numbers_of(scene);
+  plan.given_core_seconds = core_seconds(scene);
+  std::set<std::string> decided;
+  struct Pending {
+    const Rule* rule;
+    std::size_t decision;
+  };
+  std::vector<Pending> pending;
+  for (const Rule& rule : rules.list) {
+    if (decided.contains(rule.subject) || !holds(rule, plan.numbers, asked)) continue;
+    // A choice that leaves the band of a quantity gives way to a later one, if there is one.
+    const auto outside = std::ranges::any_of(asked, [&](const std::string& quantity) {
+      const auto found = rule.effect.find(quantity);
+      return found != rule.effect.end() && found->second > rules.bands.at(quantity);
+    });
+    if (outside && std::any_of(&rule + 1, rules.list.data() + rules.list.size(), [&](const Rule& later) {
+          return later.subject == rule.subject && holds(later, plan.numbers, asked);
+        }))
+      continue;
+    decided.insert(rule.subject);
+    // Without a simulation there is nothing else to choose.
+    if (rule.subject == "tier" && rule.set.empty()) plan.by_formula = true;
+    Decision decision{rule.subject, rule.choice, rule.why,    rule.source, rule.evidence,
+                      rule.set,     {},          rule.richer, {},          0.0};
+    for (const std::string& quantity : asked)
+      if (const auto found = rule.effect.find(quantity); found != rule.effect.end()) {
+        decision.effect[quantity] = found->second;
+        plan.effect[quantity] = std::hypot(plan.effect[quantity], found->second);
+      }
+    plan.decisions.push_back(decision);
+    pending.push_back({&rule, plan.decisions.size() - 1});
+    if (plan.by_formula) break;
+  }
+  for (const std::string& quantity : asked) plan.band[quantity] = rules.bands.at(quantity);
+  if (plan.by_formula) {
+    plan.core_seconds = formula_core_seconds;
+    Decision& tier = plan.decisions.front();
+    tier.richer_overrides = pending.front().rule->richer_set;
+    tier.richer_core_seconds = plan.given_core_seconds;
+    return plan;
+  }
+  // Values first that steps depend on.
+  Overrides values;
+  for (const Decision& decision : plan.decisions)
+    values.insert(values.end(), decision.overrides.begin(), decision.overrides.end());
+  values.emplace_back("contact.allow_large_time_step=true");
+  Scene planned = changed(scene, values);
+  // The step of the spheres divides that of the liquid.
+  double liquid_step = planned.fluid.time_step, solid_step = planned.contact.time_step;
+  for (const auto& [rule, decision] : pending) {
+    if (rule->liquid_steps_per_relaxation > 0.0) {
+      const auto relaxation = std::ranges::find(plan.numbers, "relaxation_time", &Number::name)->value;
+      liquid_step = std::min(1e-3, rounded_down(relaxation / rule->liquid_steps_per_relaxation));
+      plan.decisions[decision].choice += fmt::format(": {:g} s", liquid_step);
+    }
+  }
+  for (const auto& [rule, decision] : pending)
+    if (rule->steps_per_contact > 0.0) {
+      const double wished = std::numbers::pi * contact_time_step_bound(planned) / rule->steps_per_contact;
+      solid_step = liquid_step / std::ceil(liquid_step / wished);
+      plan.decisions[decision].choice += fmt::format(": {:.3g} s", solid_step);
+      plan.decisions[decision].overrides = {fmt::format("contact.time_step={}", solid_step)};
+    }
+  for (const auto& [rule, decision] : pending)
+    if (rule->liquid_steps_per_relaxation > 0.0)
+      plan.decisions[decision].overrides = {fmt::format("fluid.time_step={}", liquid_step)};
+  values.push_back(fmt::format("contact.time_step={}", solid_step));
+  values.push_back(
+      fmt::format("fluid.time_step={}", planned.fluid.tier == FluidTier::quiescent ? solid_step : liquid_step));
+  plan.overrides = values;
+  planned = changed(scene, values);
+  plan.core_seconds = core_seconds(planned);
+  for (const auto& [rule, number] : pending) {
+    Decision& decision = plan.decisions[number];
+    if (decision.richer.empty()) continue;
+    decision.richer_overrides = rule->richer_set;
+    if (rule->richer_set.empty()) {
+      // "the scene's own": whatever the rule replaced.
+      if (rule->subject == "contact stiffness")
+        decision.richer_overrides = {
+            fmt::format("contact.stiffness={}", scene.contact.stiffness),
+            fmt::format("contact.time_step={}",
+                        liquid_step / std::ceil(liquid_step / solid_step * std::sqrt(scene.contact.stiffness / 1e3)))};
+      if (rule->subject == "rolling resistance")
+        decision.richer_overrides = {fmt::format("contact.rolling_friction={}", scene.contact.rolling_friction)};
+    }
+    decision.richer_core_seconds = core_seconds(changed(planned, decision.richer_overrides));
+  }
+  return plan;
+}
+
+std::map<std::string, double> answer_by_formula(const Scene& scene, const Plan& plan) {
+  std::map<std::string, double> answers;
+  for (const std::string& quantity : plan.asked) {
+    if (quantity == "terminal_velocity") {
+      const Species& sphere = leading_species(scene);
+      OneParticleFall fall;
+      fall.diameter = sphere.diameter;
+      fall.density = sphere.density;
+      fall.liquid_density = fall.surrounding_density = scene.liquid.density;
+      fall.viscosity = scene.liquid.viscosity;
+      fall.drag_law = scene.coupling.drag_law;
+      // Thirty relaxation times, after which nothing changes any more.
+      const double relaxation = std::ranges::find(plan.numbers, "relaxation_time", &Number::name)->value;
+      answers[quantity] = -integrate_fall(fall, {0.0, 30.0 * relaxation}).back().velocity;
+    } else if (quantity == "minimum_fluidisation_velocity") {
+      answers[quantity] = minimum_velocity(scene);
+    } else if (quantity == "pressure_drop") {
+      double weight = 0.0;
+      for (const Species& species : scene.species)
+        weight += static_cast<double>(species.count) * dem::Particles::volume_of(0.5 * species.diameter) *
+                  (species.density - scene.liquid.density) * gravity;
+      const double area = scene.geometry.shape == Shape::cylinder
+                              ? 0.25 * std::numbers::pi * scene.geometry.diameter * scene.geometry.diameter
+                              : scene.geometry.width[0] * scene.geometry.width[1];
+      answers[quantity] = weight / area;
+    }
+  }
+  return answers;
+}
+
+}  // namespace slfb::plan

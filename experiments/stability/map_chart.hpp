@@ -1,0 +1,12 @@
+#pragma once
+
+#include "experiments/figure.hpp"
+#include "experiments/stability/map.hpp"
+
+namespace slfb::stability {
+
+/// Draws stability-ID: boundaries with their brackets, theory dashed, settings in use as stars. Where no boundary lies
+/// in the range an arrow points out of it.
+FigureOutput draw_map(const Map& map, const SolvedMap& solved, const std::filesystem::path& folder);
+
+}  // namespace slfb::stability

@@ -1,0 +1,105 @@
+#include "solver/dem/packing.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+#include "experiments/studies/problems/problem_list.hpp"
+#include "solver/dem/engine.hpp"
+#include "solver/dem/walls.hpp"
+
+namespace slfb::studies {
+namespace {
+
+dem::Engine engine_of(const Scene& scene, const Contact& contact) {
+  return {contact, {dem::walls_of(scene).front()}, {scene.geometry.width[0], scene.geometry.width[1], 0.0}, 1};
+}
+
+void add_weight(dem::Engine& engine, const Scene& scene) {
+  for (std::size_t i = 0; i < engine.particles.size(); ++i)
+    engine.external_force.z[i] =
+        -gravity * (engine.particles.mass[i] - scene.liquid.density * engine.particles.volume(i));
+}
+
+double kinetic_energy(const dem::Particles& spheres) {
+  double sum = 0.0;
+  for (std::size_t i = 0; i < spheres.size(); ++i)
+    for (const double v : spheres.velocity.at(i)) sum += 0.5 * spheres.mass[i] * v * v;
+  return sum;
+}
+
+/// Settles the spheres with safe steps, takes their motion out, gives each a small random push and goes on with the
+/// step in question.
+TrialResult solve(const Scene& given, const Parameters& parameters, int replicate) {
+  Scene scene = given;
+  const double diameter = scene.species.front().diameter;
+  scene.geometry.width = {4.0 * diameter, 4.0 * diameter};
+  const double mass = scene.species.front().density * dem::Particles::volume_of(0.5 * diameter);
+  const auto safe = [&](double stiffness, double restitution) {
+    Contact contact = scene.contact;
+    contact.stiffness = stiffness;
+    contact.restitution = restitution;
+    contact.time_step = 0.1 * std::sqrt(0.5 * mass / stiffness);
+    return contact;
+  };
+  const auto steps_in = [](double seconds, const dem::Engine& engine) {
+    return static_cast<std::int64_t>(std::ceil(seconds / engine.time_step()));
+  };
+  const double fall = std::sqrt(2.0 * 30.0 * diameter / gravity);
+  // Softer springs do for the fall; the packing then finds its place with its own.
+  dem::Engine falling = engine_of(scene, safe(std::min(scene.contact.stiffness, 1e3), 0.5));
+  for (const dem::PlacedSphere& sphere : dem::loose_packing(scene))
+    falling.add_particle(sphere.centre, 0.5 * diameter, scene.species.front().density, 0);
+  add_weight(falling, scene);
+  falling.advance(steps_in(2.0 * fall, falling));
+  dem::Engine settled = engine_of(scene, safe(scene.contact.stiffness, 0.1));
+  for (std::size_t i = 0; i < falling.particles.size(); ++i)
+    settled.add_particle(falling.particles.position.at(i), 0.5 * diameter, scene.species.front().density, 0);
+  add_weight(settled, scene);
+  settled.advance(20000);
+
+  dem::Engine engine = engine_of(scene, scene.contact);
+  std::mt19937_64 generator(static_cast<unsigned>(replicate) + 1);
+  const auto push = [&] { return 1e-3 * (static_cast<double>(generator() >> 11) * 0x1p-52 - 1.0); };
+  for (std::size_t i = 0; i < settled.particles.size(); ++i) {
+    engine.add_particle(settled.particles.position.at(i), 0.5 * diameter, scene.species.front().density, 0);
+    engine.particles.velocity.x[i] = push();
+    engine.particles.velocity.y[i] = push();
+    engine.particles.velocity.z[i] = push();
+  }
+  add_weight(engine, scene);
+  const double pushed = kinetic_energy(engine.particles);
+  const double start = thread_cpu_seconds();
+  const auto steps = static_cast<std::int64_t>(parameters.at("steps"));
+  double limit = 0.0;
+  for (std::int64_t step = 0; step < steps; step += 100) {
+    engine.advance(100);
+    if (step == 0) limit = 2.0 / std::sqrt(engine.network_frequency_squared());
+  }
+  double after = 0.0;
+  for (int sample = 0; sample < 20; ++sample) {
+    engine.step();
+    after += kinetic_energy(engine.particles) / 20.0;
+  }
+  TrialResult result;
+  result.values["energy"].value = after / pushed;
+  result.values["network_limit"].value = limit;
+  result.counts["particle-steps"] = static_cast<double>(engine.particles.size()) * static_cast<double>(steps);
+  result.cpu_seconds = thread_cpu_seconds() - start;
+  return result;
+}
+
+}  // namespace
+
+Problem packing_problem() {
+  return {"packing",
+          "A settled packing in water, each sphere given a push of at most 1 mm/s: does its motion die out?",
+          "run",
+          "studies/scenes/box.toml",
+          {{"energy", "kinetic energy over that of the push", "-"},
+           {"network_limit", "2/ω of the contact network (Gershgorin's bound)", "s"}},
+          {{"steps", 4000.0}},
+          solve};
+}
+
+}  // namespace slfb::studies
