@@ -135,7 +135,7 @@ std::vector<Number> numbers_of(const Scene& scene) {
   // Time in which the drag alone would take up the terminal velocity.
   const double relaxation = terminal / (gravity * (1.0 - scene.liquid.density / sphere.density));
   const bool walls = scene.geometry.shape == Shape::cylinder || scene.fluid.wall != LateralBoundary::periodic;
-  const double stiffness = scene.contact.law == ContactLaw::linear ? scene.contact.stiffness : 0.0;
+  const double stiffness = scene.contact.law == "linear" ? scene.contact.stiffness : 0.0;
   return {{"archimedes_number", archimedes_number(sphere_of(sphere), liquid), "Ar of the bed's spheres"},
           {"terminal_reynolds_number", reynolds, "Re at the terminal velocity"},
           {"stokes_number", sphere.density * sphere.diameter * terminal / (9.0 * liquid.viscosity),

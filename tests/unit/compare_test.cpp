@@ -282,7 +282,7 @@ TEST_F(CompareCommand, ComparesVoidFractionSchemesByTheirRuns) {
   for (const std::string& scheme : schemes)
     for (RunSpec spec : runs_of(Tier::one_dimensional, claims_of_runs({"table2"}), {0.10})) {
       spec.overrides.push_back("coupling.void_fraction=" + scheme);
-      RunResult result = synthetic::run(0.10, "", ++seed).result;
+      RunResult result = synthetic::run("6in5W", 0.10, "", ++seed).result;
       for (DropSeries& drop : result.drops) drop.species = "steel";
       const fs::path target = result_file(out_, scene_hash(load_run_scene(spec)));
       fs::create_directories(target.parent_path());
