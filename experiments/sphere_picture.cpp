@@ -48,9 +48,9 @@ class Cover {
         rows_(static_cast<int>(std::ceil((view.upper_z - view.lower_z) / point))),
         covered_(static_cast<std::size_t>(std::max(0, columns_ * rows_)), false) {}
 
-  /// Covers a disc; true when part of it was still open.
+  /// Covers a disc; true when some of it was still open, more than a speck.
   bool add(double x, double z, double radius) {
-    bool seen = false;
+    int seen = 0;
     const auto index = [](double distance) { return static_cast<int>(std::floor(distance / point)); };
     for (int row = std::max(0, index(z - radius - view_.lower_z));
          row <= std::min(rows_ - 1, index(z + radius - view_.lower_z)); ++row)
@@ -59,9 +59,10 @@ class Cover {
         const double dx = view_.lower_x + (column + 0.5) * point - x, dz = view_.lower_z + (row + 0.5) * point - z;
         const auto place = static_cast<std::size_t>(row * columns_ + column);
         if (dx * dx + dz * dz > radius * radius || covered_[place]) continue;
-        covered_[place] = seen = true;
+        covered_[place] = true;
+        ++seen;
       }
-    return seen;
+    return seen > 3;
   }
 
  private:
@@ -105,9 +106,11 @@ DataTable sphere_picture(const Snapshot& snapshot, const SphereView& view, const
   return table;
 }
 
-std::string plot_sphere_picture(const std::string& table_name) {
+std::string plot_sphere_picture(const std::string& table_name, double pixels_per_metre) {
   return fmt::format(
-      "'{}.csv' skip 1 using 1:2:3:4 with circles fillstyle solid noborder linecolor rgb variable notitle", table_name);
+      "'{}.csv' skip 1 using 1:2:({:.6g}/point_radius*$3):4 with points pointtype 7 pointsize variable "
+      "linewidth 0.1 linecolor rgb variable notitle",
+      table_name, pixels_per_metre);
 }
 
 }  // namespace slfb

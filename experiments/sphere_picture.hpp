@@ -5,7 +5,7 @@
 #include "reports/gnuplot.hpp"
 #include "solver/io/run_result.hpp"
 
-/// Rendered pictures of the spheres of a snapshot, drawn as circles from back to front.
+/// Rendered pictures of the spheres of a snapshot, drawn as discs from back to front.
 namespace slfb {
 
 /// What a picture shows; seen along y from the side of negative y.
@@ -16,11 +16,11 @@ struct SphereView {
   double depth = 0.025;                 ///< distance behind the clipping plane at which spheres are palest [m]
 };
 
-/// Circles of the visible spheres, farthest first, several per sphere for its shading. Columns: x, z, radius, colour
+/// Discs of the visible spheres, farthest first, several per sphere for its shading. Columns: x, z, radius, colour
 /// (0xRRGGBB). The dropped sphere is red and never clipped.
 DataTable sphere_picture(const Snapshot& snapshot, const SphereView& view, const std::string& name);
 
-/// gnuplot element that draws such a table.
-std::string plot_sphere_picture(const std::string& table_name);
+/// gnuplot element that draws such a table in a panel of that scale [pixel/m].
+std::string plot_sphere_picture(const std::string& table_name, double pixels_per_metre);
 
 }  // namespace slfb

@@ -55,3 +55,7 @@ set style line 35 linecolor rgb '#8a6d00' linewidth 1.6 pointtype 11 pointsize 0
 set style line 36 linecolor rgb '#5b6470' linewidth 1.6 pointtype 15 pointsize 0.7
 set style line 37 linecolor rgb '#d55e00' linewidth 1.6 pointtype 4 pointsize 0.65
 set style line 38 linecolor rgb '#0072b2' linewidth 1.6 pointtype 6 pointsize 0.7
+
+# Radius of a filled round point (type 7) of size 1 in pixels of the SVG, in each format as its terminal is set up:
+# pictures of thousands of discs are points of a given radius, an eighth of the size that circles would have.
+point_radius = format eq 'svg' ? 5.625 : format eq 'png' ? 4.5 : 4.0

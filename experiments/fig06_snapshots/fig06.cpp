@@ -43,7 +43,7 @@ FigureOutput draw(const FigureContext& context) {
       "plane y = 0 are left out, those farther behind it are paler. Below: the time since the release, and what the "
       "paper "
       "says of the same panel.";
-  const double panel_width = 0.155, pitch = 0.172, left = 0.115;
+  const double panel_width = 0.155, pitch = 0.17, left = 0.13;
   const int width = 560;
   const int panel_height = static_cast<int>(panel_width * width * upper_height / 0.05);
   std::string script = fmt::format(
@@ -68,7 +68,7 @@ FigureOutput draw(const FigureContext& context) {
           sphere_picture(*last, {.lower_x = -0.025, .upper_x = 0.025, .lower_z = 0.0, .upper_z = upper_height},
                          "fig06_spheres_" + tag);
       output.data.push_back(write_csv(picture, context.out));
-      plot = plot_sphere_picture(picture.name);
+      plot = plot_sphere_picture(picture.name, panel_width * width / 0.05);
       const DropSeries& drop = run->result.drops.front();
       const double end = drop.bottom_time >= 0.0 ? drop.bottom_time : drop.time.back();
       ours = fmt::format("{}{:.2f} s", drop.bottom_time >= 0.0 ? "bottom, " : "", end);
@@ -83,7 +83,7 @@ FigureOutput draw(const FigureContext& context) {
         last != nullptr  ? ""
         : run == nullptr ? "not yet simulated"
                          : "positions not recorded",
-        place == 0 ? "set ylabel 'height z [m]' offset 1.5,0" : "set format y ''\nunset ylabel", plot);
+        place == 0 ? "set ylabel 'height z [m]' offset 0.8,0" : "set format y ''\nunset ylabel", plot);
     if (place == 0) script += "eval footer_drawn\nunset label 3\nunset label 4\nunset label 5\n";
   }
   draw_figure_of_runs("fig06", script + "unset multiplot\n", {width, 34 + panel_height + 56}, context, keys);

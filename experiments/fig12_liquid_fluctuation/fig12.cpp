@@ -50,7 +50,7 @@ FigureOutput draw(const FigureContext& context) {
       vector.empty() ? "set label 1 'no run with this record yet' at graph 0.55, 0.5 font ',12' textcolor rgb quiet\n"
                      : "";
   const std::string script =
-      "set multiplot\nset lmargin at screen 0.145\nset rmargin at screen 0.97\nset xrange [0.4:0.9]\nset xtics 0.1\n"
+      "set multiplot\nset lmargin at screen 0.165\nset rmargin at screen 0.97\nset xrange [0.4:0.9]\nset xtics 0.1\n"
       "middle = base + 0.5*(1 - base)\nset yrange [0:0.12]\nset ytics 0.02\n"
       "set tmargin at screen 1 - 12.0/height\nset bmargin at screen middle + 22.0/height\nset format x ''\n"
       "set ylabel \"u'_L, vector [m/s]\" offset 0.5,0\nset key top right Left reverse font ',12'\n" +

@@ -77,7 +77,7 @@ FigureOutput draw(const FigureContext& context) {
       for (std::size_t i = 0; i < drop.time.size() && drop.z[i] > halfway->z[foreign]; ++i)
         if (drop.z[i] < lower + panel_height) path.rows.push_back({drop.x[i], drop.y[i], drop.z[i]});
       output.data.push_back(write_csv(picture, context.out));
-      plot = plot_sphere_picture(picture.name);
+      plot = plot_sphere_picture(picture.name, width_of_panel * width / 0.05);
       if (path.rows.size() > 1) {
         output.data.push_back(write_csv(path, context.out));
         plot += fmt::format(
@@ -95,7 +95,7 @@ FigureOutput draw(const FigureContext& context) {
         "set label 2 '{:.2f}' at graph 0.5, screen base + 16.0/height center font ',12'\n{}\nplot {}\n",
         edge, edge + width_of_panel, lower, lower + panel_height, title,
         halfway == nullptr ? "textcolor rgb quiet" : "textcolor rgb '#14181d'", ours, voidages[place],
-        place == 0 ? "set ylabel 'height z [m]' offset 1.5,0" : "unset ylabel", plot);
+        place == 0 ? "set ylabel 'height z [m]' offset 0.8,0" : "unset ylabel", plot);
     if (place == 0) script += "eval footer_drawn\nunset label 3\nunset label 4\n";
   }
   draw_figure_of_runs("fig15", script + "unset multiplot\n", {width, 34 + height_of_panel + 56}, context, keys);
