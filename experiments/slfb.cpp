@@ -68,19 +68,18 @@ int main(int argc, char** argv) {
   app.failure_message([](const CLI::App*, const CLI::Error& error) {
     return fmt::format("slfb: error: {}\nRun with --help for more information.\n", error.what());
   });
-  slfb::add_figures_command(app);
-  slfb::add_check_command(app);
-  slfb::add_compare_command(app);
-  slfb::add_run_command(app);
-  slfb::add_plan_command(app);
-  slfb::add_frontier_command(app);
-  slfb::add_stability_command(app);
-  slfb::add_laws_command(app);
-  slfb::add_law_command(app);
-  slfb::add_bench_command(app);
-  slfb::add_list_command(app);
-
   try {
+    slfb::add_figures_command(app);
+    slfb::add_check_command(app);
+    slfb::add_compare_command(app);
+    slfb::add_run_command(app);
+    slfb::add_plan_command(app);
+    slfb::add_frontier_command(app);
+    slfb::add_stability_command(app);
+    slfb::add_laws_command(app);
+    slfb::add_law_command(app);
+    slfb::add_bench_command(app);
+    slfb::add_list_command(app);
     if (const std::string message = unknown_command(app, argc, argv); !message.empty()) {
       fmt::print(stderr, "slfb: error: {}\n", message);
       return usage_status;

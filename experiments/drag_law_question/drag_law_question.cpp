@@ -162,23 +162,23 @@ FigureOutput draw(const FigureContext& outer) {
         sentences, nearest);
 
   const std::string script =
-      "set multiplot\nset tmargin at screen 1 - 16.0/height\nset bmargin at screen base + 52.0/height\n"
+      "set multiplot\nset tmargin at screen 1 - 16.0/height\nset bmargin at screen base + 74.0/height\n"
       "set xrange [0.04:0.22]\nset xtics 0.04\nset xlabel 'U_L [m/s]'\n"
-      "set key at screen 0.835, screen 1 - 16.0/height left top Left reverse font ',11'\n"
-      "set lmargin at screen 0.055\nset rmargin at screen 0.26\nset ylabel 'voidage [-]'\nset yrange [0.4:0.9]\n"
+      "set key at screen 0.83, screen 1 - 16.0/height left top Left reverse font ',11'\n"
+      "set lmargin at screen 0.085\nset rmargin at screen 0.27\nset ylabel 'voidage [-]'\nset yrange [0.4:0.9]\n"
       "plot 'drag_law_homogeneous.csv' skip 1 using 1:2 with lines linecolor rgb ours title 'homogeneous, Gidaspow', "
       "'' skip 1 using 1:3 with lines linecolor rgb variant title 'homogeneous, Wen-Yu', "
       "'drag_law_paper.csv' skip 1 using 1:2 with points linecolor rgb paper pointtype 2 pointsize 0.9 title 'paper'" +
       voidages +
       "\neval footer_drawn\nunset key\n"
-      "set lmargin at screen 0.325\nset rmargin at screen 0.53\nset ylabel 'V_2 [m/s]'\nset yrange [0:0.5]\n"
+      "set lmargin at screen 0.355\nset rmargin at screen 0.54\nset ylabel 'V_2 [m/s]'\nset yrange [0:0.5]\n"
       "plot 'drag_law_paper.csv' skip 1 using 1:3 with points linecolor rgb paper pointtype 2 pointsize 0.9 notitle" +
       velocities +
-      "\nset lmargin at screen 0.595\nset rmargin at screen 0.80\nset xrange [0.44:0.9]\nset xtics 0.1\n"
+      "\nset lmargin at screen 0.625\nset rmargin at screen 0.81\nset xrange [0.44:0.9]\nset xtics 0.1\n"
       "set xlabel 'voidage [-]'\nset ylabel '|F_c|/mg [-]'\nset yrange [0:1.2]\n"
       "plot 'drag_law_equation_40.csv' skip 1 using 1:2 with lines linecolor rgb paper notitle" +
       forces + "\nunset multiplot\n";
-  draw_figure_of_runs("drag-law", script, {1080, 400}, context, keys);
+  draw_figure_of_runs("drag-law", script, {1180, 420}, context, keys);
   return output;
 }
 

@@ -99,7 +99,7 @@ FigureOutput draw(const FigureContext& context) {
 
 Figure from_66_hours() {
   return {"from-66-hours", "From 66 hours to minutes: what each step saves and costs",
-          [](const Profile&) { return std::vector<std::string>{}; }, draw};
+          [](const Profile&) { return std::vector<std::string>{}; }, draw, "frontier"};
 }
 
 }  // namespace slfb

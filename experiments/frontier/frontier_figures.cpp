@@ -15,18 +15,22 @@ std::vector<Figure> study_figures() {
   std::vector<Figure> list{from_66_hours()};
   for (const auto& file : frontier::study_files()) {
     const auto study = frontier::load_study(file, frontier::Set::full);
-    list.push_back({"frontier-" + study.id, study.title, no_runs, [file](const FigureContext& context) {
+    list.push_back({"frontier-" + study.id, study.title, no_runs,
+                    [file](const FigureContext& context) {
                       const auto drawn = frontier::load_study(file, frontier::Set::full);
                       return frontier::draw_frontier(drawn, frontier::load_reduced(drawn, context.results),
                                                      context.out);
-                    }});
+                    },
+                    "frontier"});
   }
   for (const auto& file : stability::map_files()) {
     const auto map = stability::load_map(file, stability::Set::full);
-    list.push_back({"stability-" + map.id, map.title, no_runs, [file](const FigureContext& context) {
+    list.push_back({"stability-" + map.id, map.title, no_runs,
+                    [file](const FigureContext& context) {
                       const auto drawn = stability::load_map(file, stability::Set::full);
                       return stability::draw_map(drawn, stability::load_solved(drawn, context.results), context.out);
-                    }});
+                    },
+                    "stability"});
   }
   return list;
 }

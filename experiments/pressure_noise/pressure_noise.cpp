@@ -53,20 +53,21 @@ FigureOutput draw(const FigureContext& context) {
     output.data.push_back(write_csv(table, context.out));
     const std::string separator = absolute.empty() ? "" : ", ";
     absolute += fmt::format(
-        "{}'{}.csv' skip 1 using (1000*$1):2:3:4 with yerrorbars linestyle {} title '{}', "
+        "{}'{}.csv' skip 1 using (1000*$1):2:($3 > 10 ? $3 : 10):4 with yerrorbars linestyle {} notitle, "
         "'' skip 1 using (1000*$1):2 with lines linestyle {} notitle",
-        separator, table.name, style, method.name, style);
-    relative += fmt::format("{}'{}.csv' skip 1 using (1000*$1):6 with linespoints linestyle {} notitle", separator,
-                            table.name, style);
+        separator, table.name, style, style);
+    relative += fmt::format("{}'{}.csv' skip 1 using (1000*$1):6 with linespoints linestyle {} title '{}'", separator,
+                            table.name, style, method.name);
     ++style;
   }
   draw_figure("pressure-noise",
               fmt::format("set multiplot layout 1,2 margins 0.09,0.985,0.17,0.95 spacing 0.11,0\n"
                           "set logscale xy\nset xrange [0.08:1.25]\nset xtics (0.1, 0.2, 0.5, 1)\n"
                           "set xlabel 'time step of the liquid [ms]'\nset ylabel 'r.m.s. of the pressure drop [Pa]'\n"
-                          "set key bottom left reverse Left font ',12'\n"
+                          "unset key\nset yrange [10:2e4]\n"
                           "plot {:.6g} with lines linestyle 20 notitle, {}\n"
-                          "set ylabel 'over exact overlap at 1 ms [-]'\n"
+                          "set ylabel 'over exact overlap at 1 ms [-]'\nset yrange [0.8:2000]\n"
+                          "set key top right Right font ',12'\n"
                           "plot 1 with lines linestyle 20 notitle, {}\nunset multiplot\n",
                           weight, absolute, relative),
               {820, 380}, context.out);

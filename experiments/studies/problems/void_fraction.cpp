@@ -106,7 +106,7 @@ Problem void_fraction_problem() {
           "sphere",
           "studies/scenes/box.toml",
           {{"solids_fraction", "solids fraction of a cell", "of the mean"},
-           {"worst_cell", "solids fraction, worst cell", "of the mean"}},
+           {"worst_cell", "solids fraction of the worst cell", "of the mean"}},
           {{"cell", 1.25}, {"solids", 0.45}},  // cell width in diameters
           solve};
 }
