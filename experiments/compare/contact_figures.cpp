@@ -28,12 +28,12 @@ std::string lines_of(const std::string& id, std::size_t x, std::size_t x_step, s
   for (std::size_t i = 0; i < laws.size(); ++i)
     commands += fmt::format("{}'{}.csv' skip 1 using {}:{} with lines linestyle {} linewidth {} {}", i == 0 ? "" : ", ",
                             id, x + i * x_step, first + i * step, line_style(i),
-                            2.0 + 2.0 * static_cast<double>(laws.size() - 1 - i),
+                            2.0 + 1.5 * static_cast<double>(laws.size() - 1 - i),
                             titles ? "title " + gnuplot_text(laws[i].name) : std::string("notitle"));
   return commands;
 }
 
-constexpr const char* key_above = "set key at screen 0.5,0.99 center top horizontal maxrows 1 font ',12'\n";
+constexpr const char* key_above = "set key at screen 0.5,0.99 center top vertical maxrows 1 Left reverse font ',12'\n";
 
 Picture draw_collision(const std::vector<ComparedContactLaw>& laws, const std::vector<ContactFindings>& findings,
                        const fs::path& folder) {
@@ -143,15 +143,15 @@ Picture draw_oblique(const std::vector<ComparedContactLaw>& laws, const std::vec
     table.rows.push_back(std::move(row));
   }
   write_csv(table, folder);
-  const auto exact = [&](int column, bool title) {
-    return fmt::format("'{}.csv' skip 1 using 1:{} with lines linecolor rgb '#c3c8ce' linewidth 6 {}, ", id, column,
-                       title ? "title 'rigid sphere, sliding all along'" : "notitle");
+  const auto exact = [&](int column) {
+    return fmt::format("'{}.csv' skip 1 using 1:{} with lines linecolor rgb '#c3c8ce' linewidth 12 notitle, ", id,
+                       column);
   };
   draw_figure(id,
               std::string("set multiplot layout 1,2\nset tmargin 4\nset xrange [0:90]\nset xtics 15\nset xlabel 'angle "
                           "to the normal [°]'\nset ylabel \"tangential restitution v_t'/v_t [-]\"\n") +
-                  key_above + "plot " + exact(2, true) + lines_of(id, 1, 0, 4, 2, laws, true) +
-                  "\nunset key\nset ylabel \"spin rω'/v_n [-]\"\nplot " + exact(3, false) +
+                  key_above + "plot " + exact(2) + lines_of(id, 1, 0, 4, 2, laws, true) +
+                  "\nunset key\nset ylabel \"spin rω'/v_n [-]\"\nplot " + exact(3) +
                   lines_of(id, 1, 0, 5, 2, laws, false) + "\nunset multiplot\n",
               {900, 380}, folder, formats);
   return {

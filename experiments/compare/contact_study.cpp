@@ -101,7 +101,7 @@ struct Stage {
     contact.rolling_friction = 0.0;
     std::vector<dem::Wall> walls;
     if (!impact.second) walls.push_back({dem::Wall::Kind::plane, 2, 1.0, 0.0});
-    engine = std::make_unique<dem::Engine>(contact, walls, std::array{0.0, 0.0, 0.0}, 1);
+    engine = std::make_unique<dem::Engine>(contact, law.law, walls, std::array{0.0, 0.0, 0.0}, 1);
     if (lubrication) engine->lubricate(*lubrication);
     // The frame of the common centre: each has the share of the speed that the other's mass gives.
     const double share = effective_mass(impact) / mass_of(impact.first);

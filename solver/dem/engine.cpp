@@ -112,13 +112,17 @@ struct Engine::Share {
 };
 
 Engine::Engine(const Contact& contact, std::vector<Wall> walls, std::array<double, 3> period, int threads)
+    : Engine(contact, find_contact_law(contact.law), std::move(walls), period, threads) {}
+
+Engine::Engine(const Contact& contact, const ContactLawKernels& law, std::vector<Wall> walls,
+               std::array<double, 3> period, int threads)
     : contact_(contact),
       walls_(std::move(walls)),
       period_(period),
       time_step_(contact.time_step),
       threads_(threads),
       periodic_(period[0] > 0.0 || period[1] > 0.0 || period[2] > 0.0),
-      law_(find_contact_law(contact.law)),
+      law_(law),
       rolling_(rolling_place(contact)),
       rolling_remembers_(contact.rolling_friction > 0.0 && contact.rolling_model == RollingModel::elastic_plastic) {
   switch (contact.integrator) {

@@ -43,6 +43,9 @@ class Engine {
  public:
   /// `period`: extent of a periodic box around the origin in x, y and z, 0 where the domain is not periodic [m].
   Engine(const Contact& contact, std::vector<Wall> walls, std::array<double, 3> period, int threads);
+  /// The same with another law than contact.law names.
+  Engine(const Contact& contact, const ContactLawKernels& law, std::vector<Wall> walls, std::array<double, 3> period,
+         int threads);
   ~Engine();
   Engine(Engine&&) noexcept;
   Engine& operator=(Engine&&) = delete;

@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <string>
@@ -12,7 +13,6 @@
 
 #include "experiments/paper_conditions.hpp"
 #include "experiments/run_files.hpp"
-#include "solver/dem/engine.hpp"
 #include "solver/dem/hertz_mindlin.hpp"
 #include "solver/user_law.hpp"
 
