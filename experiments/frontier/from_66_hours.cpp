@@ -65,8 +65,8 @@ FigureOutput draw(const FigureContext& context) {
   FigureOutput output{"from-66-hours", {}, "", {}};
   output.caption =
       "Wall-clock time on two cores for the 23 s that the paper simulates, from its own 66 hours to the settings of "
-      "the "
-      "profile quick, one change after the other. What a change costs in each quantity is listed below, with the study "
+      "the profile quick, one change after the other. What a change costs in each quantity is listed below, with the "
+      "study "
       "that measured it; the error is that of the setting against the study's reference.";
   const auto steps = load_steps();
   DataTable table{"from-66-hours", {"number [-]", "wall-clock time [h]", "of the step before [-]"}, {}};
@@ -83,12 +83,12 @@ FigureOutput draw(const FigureContext& context) {
   const int height = 60 * static_cast<int>(steps.size()) + 90;
   draw_figure(
       "from-66-hours",
-      fmt::format("set logscale x\nset xrange [0.008:300]\nset yrange [{}:-0.6]\nset ytics ({})\nset xlabel "
+      fmt::format("set logscale x\nset xrange [0.002:300]\nset yrange [{}:-0.6]\nset ytics ({})\nset xlabel "
                   "'wall-clock time on two cores [h]'\nset lmargin 40\nset key off\nunset grid\nset boxwidth "
                   "0.55\nset style fill solid noborder\n"
                   "set arrow 1 from 66, graph 0 to 66, graph 1 nohead linestyle 20\n"
-                  "plot 'from-66-hours.csv' skip 1 using (0.5*$2):1:(0.008):2:($1-0.27):($1+0.27) with boxxyerror "
-                  "linecolor rgb '#0072b2', '' skip 1 using 2:1:($2 < 1 ? sprintf('%.0f min', 60*$2) : sprintf('%.0f "
+                  "plot 'from-66-hours.csv' skip 1 using (0.5*$2):1:(0.002):2:($1-0.27):($1+0.27) with boxxyerror "
+                  "linecolor rgb '#0072b2', '' skip 1 using 2:1:($2 < 1 ? sprintf('%.2g min', 60*$2) : sprintf('%.0f "
                   "h', $2)) with labels left offset 0.6, 0\n",
                   static_cast<double>(steps.size()) - 0.4, tics),
       {820, height}, context.out);
