@@ -34,6 +34,13 @@ struct Reason {
   int number;
 };
 
+/// A method that gave the quantity with an error that a logarithmic axis can show.
+bool has_point(const ReducedPoint& point, const std::string& quantity) {
+  const auto found = point.values.find(quantity);
+  return point.failure.empty() && found != point.values.end() && found->second.error > 0.0 &&
+         std::isfinite(found->second.error);
+}
+
 }  // namespace
 
 FigureOutput draw_frontier(const Study& study, const ReducedStudy& reduced, const std::filesystem::path& folder) {
@@ -130,27 +137,40 @@ FigureOutput draw_frontier(const Study& study, const ReducedStudy& reduced, cons
             reference->second.error_half_width);
       std::string elements;
       for (std::size_t s = 0; s < names.size(); ++s) {
-        const bool titled = !key_drawn;
-        elements += fmt::format(
-            "{}'{}.csv' skip 1 using {}:{} with linespoints {} title {}, '' skip 1 using {}:{}:{}:{} with yerrorbars "
-            "{} notitle",
-            elements.empty() ? "" : ", ", names[s], cost, at + 2, style_of(s),
-            titled ? gnuplot_text(study.series[s]) : "''", cost, at + 2, at + 3, at + 4, bars_of(s));
+        // A series without a point keeps its place in the key.
+        const bool drawn = std::any_of(reduced.points.begin(), reduced.points.end(), [&](const ReducedPoint& p) {
+          return p.series == study.series[s] && has_point(p, shown[q]) && (cost == 2 || p.counts.contains(study.count));
+        });
+        const std::string title = key_drawn ? "''" : gnuplot_text(study.series[s]);
+        elements += elements.empty() ? "" : ", ";
+        if (drawn)
+          elements += fmt::format(
+              "'{}.csv' skip 1 using {}:{} with linespoints {} title {}, '' skip 1 using {}:{}:{}:{} with yerrorbars "
+              "{} "
+              "notitle",
+              names[s], cost, at + 2, style_of(s), title, cost, at + 2, at + 3, at + 4, bars_of(s));
+        else
+          elements += fmt::format("NaN with linespoints {} title {}", style_of(s), title);
         if (std::none_of(reduced.points.begin(), reduced.points.end(),
                          [&](const ReducedPoint& p) { return p.series == study.series[s] && !p.failure.empty(); }))
           continue;
         // A failure has a cost but no error: a numbered cross at the top of the chart.
         elements += fmt::format(
-            ", '' skip 1 using (${0} > 0 ? ${1} : NaN):(top) with points pointtype 2 pointsize 1.1 linewidth 2 "
+            ", '{2}.csv' skip 1 using (${0} > 0 ? ${1} : NaN):(top) with points pointtype 2 pointsize 1.1 linewidth 2 "
             "linecolor rgb '#b0303c' notitle, '' skip 1 using (${0} > 0 ? ${1} : NaN):(top):(sprintf('%d', ${0})) with "
             "labels "
             "offset 0.9, 0 font ',10' textcolor rgb '#b0303c' notitle",
-            5, cost);
+            5, cost, names[s]);
       }
-      elements += fmt::format(
-          ", '{}_front_{}.csv' skip 1 using {}:3 with fsteps linecolor rgb '#000000' linewidth 1 dashtype (6, 4) title "
-          "{}",
-          id, shown[q], cost == 2 ? 1 : 2, key_drawn ? "''" : "'Pareto front'");
+      const auto front = pareto_front(reduced, shown[q]);
+      if (std::any_of(front.begin(), front.end(), [&](const ReducedPoint* p) {
+            return has_point(*p, shown[q]) && (cost == 2 || p->counts.contains(study.count));
+          }))
+        elements += fmt::format(
+            ", '{}_front_{}.csv' skip 1 using {}:3 with fsteps linecolor rgb '#000000' linewidth 1 dashtype (6, 4) "
+            "title "
+            "{}",
+            id, shown[q], cost == 2 ? 1 : 2, key_drawn ? "''" : "'Pareto front'");
       // The range first, so that the marks of failures can be put at its top.
       double low = std::numeric_limits<double>::infinity(), high = 0.0;
       for (const ReducedPoint& point : reduced.points) {

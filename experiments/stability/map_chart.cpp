@@ -61,11 +61,23 @@ FigureOutput draw_map(const Map& map, const SolvedMap& solved, const std::filesy
     if (table.rows.empty()) continue;
     output.data.push_back(write_csv(table, folder));
     const std::string colour = colour_of(s);
-    elements += fmt::format(
-        "{0}'{1}.csv' skip 1 using 1:2 with linespoints linecolor rgb '{2}' linewidth 2 pointtype {3} pointsize 0.8 "
-        "title {4}, '' skip 1 using 1:2:3:4 with yerrorbars linecolor rgb '{2}' linewidth 1.4 pointtype 0 "
-        "notitle, '' skip 1 using 1:5:(0):(arrow) with vectors head filled linecolor rgb '{2}' linewidth 2 notitle",
-        elements.empty() ? "" : ", ", table.name, colour, points[s % points.size()], gnuplot_text(map.series[s].name));
+    // Nothing is asked of gnuplot for a column without a number: it would warn.
+    const auto any = [&](std::size_t column) {
+      return std::any_of(table.rows.begin(), table.rows.end(),
+                         [&](const auto& row) { return std::isfinite(row[column - 1]); });
+    };
+    elements += elements.empty() ? "" : ", ";
+    elements += fmt::format("{} with linespoints linecolor rgb '{}' linewidth 2 pointtype {} pointsize 0.8 title {}",
+                            any(2) ? fmt::format("'{}.csv' skip 1 using 1:2", table.name) : "NaN", colour,
+                            points[s % points.size()], gnuplot_text(map.series[s].name));
+    if (any(2))
+      elements += fmt::format(
+          ", '{}.csv' skip 1 using 1:2:3:4 with yerrorbars linecolor rgb '{}' linewidth 1.4 pointtype 0 notitle",
+          table.name, colour);
+    if (any(5))
+      elements += fmt::format(
+          ", '{}.csv' skip 1 using 1:5:(0):(arrow) with vectors head filled linecolor rgb '{}' linewidth 2 notitle",
+          table.name, colour);
     // A theory that depends on the method is drawn in its colour, one for all once and in grey.
     for (std::size_t t = 0; t < map.theories.size(); ++t) {
       std::string key = map.theories[t].name;

@@ -193,7 +193,7 @@ std::vector<int> failing() {
 TEST(ContactProperties, ASoundLawHasAll) { EXPECT_EQ(failing<Nothing>(), (std::vector<int>{})); }
 
 TEST(ContactProperties, PlantedFaultsAreFound) {
-  EXPECT_EQ(failing<PushesWhileTheyPart>(), (std::vector<int>{energy, oblique, energy_at_step, restitution}));
+  EXPECT_EQ(failing<PushesWhileTheyPart>(), (std::vector<int>{energy, oblique, energy_at_step, restitution, grazing}));
   EXPECT_EQ(failing<LessDampedThanAsked>(), (std::vector<int>{restitution}));
   EXPECT_EQ(failing<StatesHalfItsStiffness>(), (std::vector<int>{slope}));
   EXPECT_EQ(failing<FrictionOfTwiceTheLoad>(), (std::vector<int>{friction, grazing}));
