@@ -193,6 +193,7 @@ std::vector<int> failing() {
 TEST(ContactProperties, ASoundLawHasAll) { EXPECT_EQ(failing<Nothing>(), (std::vector<int>{})); }
 
 TEST(ContactProperties, PlantedFaultsAreFound) {
+  // Where the load jumps up, the tangential spring sticks until it carries the new limit.
   EXPECT_EQ(failing<PushesWhileTheyPart>(), (std::vector<int>{energy, oblique, energy_at_step, restitution, grazing}));
   EXPECT_EQ(failing<LessDampedThanAsked>(), (std::vector<int>{restitution}));
   EXPECT_EQ(failing<StatesHalfItsStiffness>(), (std::vector<int>{slope}));
