@@ -143,12 +143,11 @@ FigureOutput draw_frontier(const Study& study, const ReducedStudy& reduced, cons
         });
         const std::string title = key_drawn ? "''" : gnuplot_text(study.series[s]);
         elements += elements.empty() ? "" : ", ";
-        if (drawn)
+        if (drawn)  // bars first: they would take the points' middle away
           elements += fmt::format(
-              "'{}.csv' skip 1 using {}:{} with linespoints {} title {}, '' skip 1 using {}:{}:{}:{} with yerrorbars "
-              "{} "
-              "notitle",
-              names[s], cost, at + 2, style_of(s), title, cost, at + 2, at + 3, at + 4, bars_of(s));
+              "'{}.csv' skip 1 using {}:{}:{}:{} with yerrorbars {} notitle, '' skip 1 using {}:{} with linespoints {} "
+              "title {}",
+              names[s], cost, at + 2, at + 3, at + 4, bars_of(s), cost, at + 2, style_of(s), title);
         else
           elements += fmt::format("NaN with linespoints {} title {}", style_of(s), title);
         if (std::none_of(reduced.points.begin(), reduced.points.end(),

@@ -67,13 +67,13 @@ FigureOutput draw_map(const Map& map, const SolvedMap& solved, const std::filesy
                          [&](const auto& row) { return std::isfinite(row[column - 1]); });
     };
     elements += elements.empty() ? "" : ", ";
+    if (any(2))  // bars first: they would take the points' middle away
+      elements += fmt::format(
+          "'{}.csv' skip 1 using 1:2:3:4 with yerrorbars linecolor rgb '{}' linewidth 1.4 pointtype 0 notitle, ",
+          table.name, colour);
     elements += fmt::format("{} with linespoints linecolor rgb '{}' linewidth 2 pointtype {} pointsize 0.8 title {}",
                             any(2) ? fmt::format("'{}.csv' skip 1 using 1:2", table.name) : "NaN", colour,
                             points[s % points.size()], gnuplot_text(map.series[s].name));
-    if (any(2))
-      elements += fmt::format(
-          ", '{}.csv' skip 1 using 1:2:3:4 with yerrorbars linecolor rgb '{}' linewidth 1.4 pointtype 0 notitle",
-          table.name, colour);
     if (any(5))
       elements += fmt::format(
           ", '{}.csv' skip 1 using 1:5:(0):(arrow) with vectors head filled linecolor rgb '{}' linewidth 2 notitle",
