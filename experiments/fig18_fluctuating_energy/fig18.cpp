@@ -40,9 +40,10 @@ FigureOutput draw(const FigureContext& context) {
     table.name = "fig18_" + table.name;
     output.data.push_back(write_csv(table, context.out));
     local = fmt::format(
-        ", '{}.csv' skip 1 using 2:4:3:5 with xyerrorbars linestyle 2 pointtype 8 pointsize 0.8 linewidth "
-        "1.2 title 'the same about boxes of 4 diameters'",
-        table.name);
+        ", {}{}'{}.csv' skip 1 using 2:4 with points linestyle 2 pointtype 8 pointsize 0.8 title 'the same about boxes "
+        "of "
+        "4 diameters'",
+        error_bars(table, {2, 4, 5}, "yerrorbars", 2), error_bars(table, {2, 4, 3}, "xerrorbars", 2), table.name);
   }
   const std::string script =
       "set key tmargin left vertical maxrows 6 Left reverse font ',12'\nset xrange [0.2:0.6]\nset logscale y\n"

@@ -51,11 +51,13 @@ INSTANTIATE_TEST_SUITE_P(
     [](const auto& planted) { return planted.param.name; });
 
 // One coefficient of the drag law off by a hundredth: 150 of Ergun's, 24 of the single sphere's.
-class PlantedCoefficient : public testing::TestWithParam<std::pair<const char*, const char*>> {};
+class PlantedCoefficient : public testing::TestWithParam<std::pair<std::string, std::string>> {};
 
 TEST_P(PlantedCoefficient, BreaksTheGateOfItsBranch) {
-  const auto file = std::filesystem::temp_directory_path() / "slfb_planted_law.cpp";
-  const bool dense = std::string(GetParam().first) == "Ergun";
+  const auto& [branch, gate] = GetParam();
+  // A file of its own: the two may be tested at the same time.
+  const auto file = std::filesystem::temp_directory_path() / ("slfb_planted_" + branch + ".cpp");
+  const bool dense = branch == "Ergun";
   std::ofstream(file) << R"(
 #include "correlations/drag/drag_law_kernels.hpp"
 #include "correlations/drag/gidaspow_1994.hpp"
@@ -77,12 +79,13 @@ struct Planted {
 }  // namespace
 SLFB_DRAG_LAW(Planted)
 )" << std::flush;
-  EXPECT_TRUE(broken_gates({"coupling.drag_law=" + file.string()}).contains(GetParam().second));
+  EXPECT_TRUE(broken_gates({"coupling.drag_law=" + file.string()}).contains(gate));
 }
 
 INSTANTIATE_TEST_SUITE_P(Law, PlantedCoefficient,
-                         testing::Values(std::pair{"Ergun", "text.frozen_bed"},
-                                         std::pair{"SingleSphere", "text.terminal_velocity"}));
+                         testing::Values(std::pair<std::string, std::string>{"Ergun", "text.frozen_bed"},
+                                         std::pair<std::string, std::string>{"SingleSphere", "text.terminal_velocity"}),
+                         [](const auto& planted) { return planted.param.first; });
 
 }  // namespace
 }  // namespace slfb

@@ -444,7 +444,8 @@ std::vector<std::pair<std::string, Agitated>> agitated_beds() {
   std::vector<Wall> cylinder = bottom;
   cylinder.push_back({Wall::Kind::cylinder, 0, 1.0, 0.02});
   std::vector<std::pair<std::string, Agitated>> beds;
-  const auto add = [&](const char* name, Integrator integrator, RollingModel rolling, const std::string& law, bool periodic) {
+  const auto add = [&](const char* name, Integrator integrator, RollingModel rolling, const std::string& law,
+                       bool periodic) {
     contact.integrator = integrator;
     contact.rolling_model = rolling;
     contact.law = law;
