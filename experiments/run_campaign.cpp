@@ -37,9 +37,9 @@ void write_scene_file(const Scene& scene, const std::filesystem::path& file) {
   if (!stream) throw std::runtime_error(fmt::format("{}: cannot write the scene", file.string()));
 }
 
-/// Runs one task and reports how it ended.
+/// Runs one task and reports how it ended; `failure` is why where it failed.
 Ending run_task(const Task& task, std::size_t number, const CampaignOptions& options, const std::atomic<bool>& stop,
-                ProgressDisplay& display) {
+                ProgressDisplay& display, std::string& failure) {
   const auto directory = run_directory(options.out, task.hash);
   try {
     std::filesystem::create_directories(directory);
@@ -68,6 +68,7 @@ Ending run_task(const Task& task, std::size_t number, const CampaignOptions& opt
     return Ending::finished;
   } catch (const std::exception& error) {
     display.end(number, fmt::format("{}: FAILED: {}", task.label, error.what()));
+    failure = fmt::format("{}: {}", task.label, error.what());
     return Ending::failed;
   }
 }
@@ -117,9 +118,11 @@ CampaignOutcome run_scenes(const std::vector<NamedScene>& scenes, const Campaign
         }
         number = next++;
       }
-      const Ending ending = run_task(tasks[number], number, options, signals.requested(), display);
+      std::string failure;
+      const Ending ending = run_task(tasks[number], number, options, signals.requested(), display, failure);
       const std::lock_guard lock(mutex);
       endings[number] = ending;
+      if (ending == Ending::failed) outcome.failures.push_back(std::move(failure));
     }
   };
   {

@@ -20,7 +20,8 @@ struct CampaignOutcome {
   int finished = 0;
   int skipped = 0;  ///< their results existed
   int failed = 0;
-  int interrupted = 0;  ///< stopped with their state saved, or not begun
+  int interrupted = 0;                     ///< stopped with their state saved, or not begun
+  std::vector<std::string> failures = {};  ///< "label: reason" of each that failed
 
   [[nodiscard]] int unfinished() const { return failed + interrupted; }
   /// 0, 1 when a run failed, 130 when interrupted (what a shell reports for Ctrl-C).

@@ -104,6 +104,12 @@ Section range_section(const std::vector<RangeNotes>& notes) {
                              html + "</ul>\n"};
 }
 
+Section failure_section(const std::vector<std::string>& failures) {
+  std::string html = "<p>These simulations failed; nothing of them is drawn.</p>\n<ul>\n";
+  for (const std::string& failure : failures) html += "<li>" + escape_html(failure) + "</li>\n";
+  return {"failures", "What failed", html + "</ul>\n"};
+}
+
 std::string time_html(const std::string& what, const std::vector<std::string>& laws,
                       const std::vector<double>& seconds) {
   std::vector<std::vector<std::string>> rows;

@@ -34,6 +34,9 @@ struct RangeNotes {
 };
 Section range_section(const std::vector<RangeNotes>& notes);
 
+/// The runs that failed, "label: reason" each.
+Section failure_section(const std::vector<std::string>& failures);
+
 /// What one call of each law takes, beside the first. `what`: a sentence above the table.
 std::string time_html(const std::string& what, const std::vector<std::string>& laws,
                       const std::vector<double>& seconds);

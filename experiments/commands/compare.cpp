@@ -11,6 +11,7 @@
 #include <iostream>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <set>
 #include <stdexcept>
 #include <thread>
 
@@ -118,7 +119,9 @@ CampaignOutcome compute(Comparison& comparison, Tier tier, const std::vector<Cla
 
 void write_report(const Comparison& comparison, Tier tier, const std::vector<Claim>& claims,
                   const std::vector<RunSpec>& runs, std::vector<compare::Section> sections,
-                  const std::string& extra_cost, const nlohmann::ordered_json& extra_json, const fs::path& folder) {
+                  const std::string& extra_cost, const nlohmann::ordered_json& extra_json,
+                  const CampaignOutcome& outcome, const fs::path& folder) {
+  if (!outcome.failures.empty()) sections.push_back(compare::failure_section(outcome.failures));
   if (tier != Tier::correlation || comparison.kind == "drag")
     sections.push_back(compare::claims_section(comparison.candidates, claims));
   sections.push_back(compare::cost_section(comparison.candidates, extra_cost));
@@ -203,7 +206,7 @@ int compare_drag(const Options& options) {
     notes.push_back({laws[i].name(), compare::uses_outside_range(laws[i].law, comparison.candidates[i].measurements)});
   sections.push_back(compare::range_section(notes));
   write_report(comparison, tier, claims, runs, sections, compare::evaluation_cost_html(laws, findings),
-               compare::drag_json(laws, findings), folder);
+               compare::drag_json(laws, findings), outcome, folder);
 
   std::vector<std::string> names, properties, fluidisation, falls, nanoseconds;
   for (std::size_t i = 0; i < laws.size(); ++i) {
@@ -253,7 +256,7 @@ int compare_contact(const Options& options) {
     notes.push_back({laws[i].name, compare::uses_outside_range(laws[i], comparison.candidates[i].measurements)});
   sections.push_back(compare::range_section(notes));
   write_report(comparison, tier, claims, runs, sections, compare::contact_cost_html(laws, findings),
-               compare::contact_json(laws, findings), folder);
+               compare::contact_json(laws, findings), outcome, folder);
 
   const auto row = [&](const std::string& name, auto cell) {
     std::vector<std::string> cells;
@@ -294,6 +297,10 @@ int compare_void_fraction(const Options& options) {
     if (std::ranges::find(known, name) == known.end())
       throw std::invalid_argument(
           fmt::format("--void-fraction: unknown scheme \"{}\"; known: {}", name, fmt::join(known, ", ")));
+  if (std::set<std::string>(options.void_fraction.begin(), options.void_fraction.end()).size() <
+      options.void_fraction.size())
+    throw std::invalid_argument(
+        fmt::format("--void-fraction {}: a scheme is compared twice", fmt::join(options.void_fraction, ",")));
   if (options.void_fraction.size() < 2)
     throw std::invalid_argument(
         fmt::format("--void-fraction: needs two schemes or more; known: {}", fmt::join(known, ", ")));
@@ -312,7 +319,7 @@ int compare_void_fraction(const Options& options) {
       {"bed", "In the bed",
        "<p>What the runs measured, beside the paper and the correlations.</p>\n" +
            compare::pictures_html(compare::draw_bed_pictures(comparison.candidates, folder / "figures"))}};
-  write_report(comparison, tier, claims, runs, sections, "", nullptr, folder);
+  write_report(comparison, tier, claims, runs, sections, "", nullptr, outcome, folder);
   print_row("", options.void_fraction);
   print_candidates(comparison.candidates, claims.size());
   return finish(outcome, folder);

@@ -221,6 +221,7 @@ TEST_F(CompareCommand, ErrorsComeBeforeAnyWork) {
   EXPECT_NE(error_of({"--contact", "linear:stiffness=1e5 N/m"}).find("above the bound"), std::string::npos);
   EXPECT_NE(error_of({"--contact", "linear,linear:stifness=1e3"}).find("did you mean \"stiffness\""),
             std::string::npos);
+  EXPECT_NE(error_of({"--void-fraction", "centroid,centroid"}).find("compared twice"), std::string::npos);
   EXPECT_NE(error_of({"--void-fraction", "centroid"}).find("two schemes"), std::string::npos);
   EXPECT_NE(error_of({"--void-fraction", "centroid,exact-overlap", "--tier", "correlation"}).find("1d and 3d"),
             std::string::npos);

@@ -61,6 +61,8 @@ TEST_F(RunCampaignTest, AFailureDoesNotStopTheOthers) {
   save_result({}, run_directory(out_, scene_hash(broken.scene)));
   const CampaignOutcome outcome = run_scenes({broken, {"sound", falling_sphere(0.2)}}, options());
   EXPECT_EQ(outcome.failed, 1);
+  ASSERT_EQ(outcome.failures.size(), 1U);
+  EXPECT_EQ(outcome.failures[0].find("broken: "), 0U) << outcome.failures[0];
   EXPECT_EQ(outcome.finished, 1);
   EXPECT_EQ(outcome.exit_status(), 1);
 }
