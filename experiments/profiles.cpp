@@ -107,6 +107,7 @@ Profile load_profile(const std::string& name) {
       profile.runs.push_back(std::move(spec));
     }
   }
+  profile.goes_on_from_published = table["goes_on_from_published"].value_or(false);
   if (table.contains("whole"))
     for (std::string& key : definitions.values<std::string>(table, "whole")) profile.whole.insert(std::move(key));
   return profile;

@@ -25,6 +25,7 @@ namespace {
 struct Task {
   std::string label, hash;
   const Scene* scene;
+  std::size_t place;  ///< among the scenes asked for
   double cost;
 };
 
@@ -79,13 +80,14 @@ CampaignOutcome run_scenes(const std::vector<NamedScene>& scenes, const Campaign
   CampaignOutcome outcome;
   std::vector<Task> tasks;
   std::set<std::string> hashes;
-  for (const auto& [label, scene] : scenes) {
+  for (std::size_t place = 0; place < scenes.size(); ++place) {
+    const auto& [label, scene] = scenes[place];
     std::string hash = scene_hash(scene);
     if (!hashes.insert(hash).second) continue;
     if (std::filesystem::exists(result_file(requested.out, hash))) {
       ++outcome.skipped;
     } else {
-      tasks.push_back({label, std::move(hash), &scene, estimate_run(scene).core_seconds});
+      tasks.push_back({label, std::move(hash), &scene, place, estimate_run(scene).core_seconds});
     }
   }
   if (tasks.empty()) return outcome;
@@ -122,6 +124,7 @@ CampaignOutcome run_scenes(const std::vector<NamedScene>& scenes, const Campaign
       const Ending ending = run_task(tasks[number], number, options, signals.requested(), display, failure);
       const std::lock_guard lock(mutex);
       endings[number] = ending;
+      if (ending == Ending::finished && options.finished) options.finished(tasks[number].place);
       if (ending == Ending::failed) outcome.failures.push_back(std::move(failure));
     }
   };

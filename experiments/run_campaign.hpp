@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -13,6 +14,8 @@ struct CampaignOptions {
   int jobs = 2;               ///< side by side; lowered where jobs × threads_per_run exceeds the cores
   int threads_per_run = 1;
   bool progress = true;
+  /// Told of each run whose result has been saved, by its place among those asked for; one call at a time.
+  std::function<void(std::size_t)> finished = {};
 };
 
 /// How many runs of a campaign ended in which way.

@@ -63,6 +63,8 @@ std::vector<RunSpec> needed_runs(const std::vector<const Figure*>& chosen, const
   std::set<std::string> keys;
   for (const Figure* figure : chosen)
     for (auto& key : figure->needs(profile)) keys.insert(std::move(key));
+  if (profile.goes_on_from_published)
+    for (const FinishedRun& run : published_runs(profile)) keys.erase(run_key(run.spec));
   std::vector<RunSpec> needed;
   for (const auto& spec : profile.runs)
     if (keys.contains(run_key(spec))) needed.push_back(spec);
@@ -76,14 +78,11 @@ CampaignOptions campaign_options(const Options& options, std::size_t runs) {
   return {.out = options.out, .jobs = jobs, .threads_per_run = threads, .progress = true};
 }
 
-/// Puts the finished results of a profile where they can be committed; figures use them where nothing is simulated.
-void publish(const Profile& profile, const std::filesystem::path& out) {
-  for (const RunSpec& spec : profile.runs) {
-    const auto result = result_file(out, scene_hash(load_run_scene(spec)));
-    if (!std::filesystem::exists(result)) continue;
+/// Puts a finished result of a profile where it can be committed; figures use it where nothing is simulated.
+void publish(const Profile& profile, const RunSpec& spec, const std::filesystem::path& out) {
+  const auto result = result_file(out, scene_hash(load_run_scene(spec)));
+  if (std::filesystem::exists(result))
     publish_result(spec, load_result(result), profile.whole.contains(run_key(spec)));
-    fmt::print("published {}\n", published_file(spec).string());
-  }
 }
 
 /// Returns the exit status, which tells of simulations that failed or were interrupted.
@@ -93,10 +92,12 @@ int make_figures(const Options& options) {
   CampaignOutcome outcome;
   if (!options.no_run) {
     const auto needed = needed_runs(chosen, profile);
-    if (!needed.empty()) outcome = run_campaign(needed, campaign_options(options, needed.size()));
+    CampaignOptions campaign = campaign_options(options, needed.size());
+    if (options.publish) campaign.finished = [&](std::size_t k) { publish(profile, needed[k], options.out); };
+    if (!needed.empty()) outcome = run_campaign(needed, campaign);
   }
-
-  if (options.publish) publish(profile, options.out);
+  if (options.publish)  // also what an earlier call has simulated
+    for (const RunSpec& spec : profile.runs) publish(profile, spec, options.out);
 
   const Profile shown = with_full_runs(profile);
   const auto runs = finished_runs(shown, options.out);
