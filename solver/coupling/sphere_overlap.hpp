@@ -1,5 +1,9 @@
 #pragma once
 
+#include <array>
+
+#include "solver/dem/vec3.hpp"
+
 namespace slfb::coupling {
 
 /// Evenly spaced planes normal to one axis, their distances from the centre of the unit ball in rising order [-].
@@ -26,5 +30,9 @@ struct PlaneRow {
 /// sides give what is beyond its corners. Where edge or corner lies outside, reflections reduce the volume to smaller
 /// ones.
 void unit_ball_parts(const PlaneRow& x, const PlaneRow& y, const PlaneRow& z, double* parts);
+
+/// The same for four balls at once, each cut by at most one plane per axis, at the given distance from its centre; a
+/// distance of 1 or more cuts nothing off. Each ball has its eight parts in one lane.
+void unit_ball_octants(const std::array<dem::Pack, 3>& planes, std::array<dem::Pack, 8>& parts);
 
 }  // namespace slfb::coupling

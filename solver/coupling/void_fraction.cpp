@@ -28,19 +28,19 @@ VolumeShares::VolumeShares(VoidFractionScheme scheme, int meshing_pieces, const 
   for (int iy = 0; iy < grid.squares(1); ++iy)
     for (int ix = 0; ix < grid.squares(0); ++ix)
       ++squares_of_cell[static_cast<std::size_t>(grid.cell_of_square(ix, iy))];
+  const auto alone = [&](int ix, int iy) {
+    return ix < grid.squares(0) && iy < grid.squares(1) &&
+           squares_of_cell[static_cast<std::size_t>(grid.cell_of_square(ix, iy))] == 1;
+  };
   for (int iy = 0; iy < grid.squares(1); ++iy)
     for (int ix = 0; ix < grid.squares(0); ++ix)
-      alone_.push_back(squares_of_cell[static_cast<std::size_t>(grid.cell_of_square(ix, iy))] == 1);
+      alone_with_next_.push_back(alone(ix, iy) && alone(ix + 1, iy) && alone(ix, iy + 1) && alone(ix + 1, iy + 1));
 }
 
-/// No two squares of the block belong to one cell, and none lies across a periodic side.
+/// No two squares of a block of at most two by two belong to one cell, and none lies across a side of the grid.
 bool VolumeShares::has_a_cell_per_square(const Block& block) const {
-  for (std::size_t a : {std::size_t{0}, std::size_t{1}})
-    if (block.first[a] < 0 || block.first[a] + block.cells[a] > axis_[a].cells) return false;
-  for (int iy = block.first[1]; iy < block.first[1] + block.cells[1]; ++iy)
-    for (int ix = block.first[0]; ix < block.first[0] + block.cells[0]; ++ix)
-      if (!alone_[static_cast<std::size_t>(iy * axis_[0].cells + ix)]) return false;
-  return true;
+  return block.first[0] >= 0 && block.first[1] >= 0 &&
+         alone_with_next_[static_cast<std::size_t>(block.first[1] * axis_[0].cells + block.first[0])];
 }
 
 std::vector<std::array<double, 3>> VolumeShares::meshing_template(int pieces) {
@@ -113,6 +113,59 @@ void VolumeShares::cut_sphere(const Block& block, const std::array<double, 3>& x
   unit_ball_parts(planes(0), planes(1), planes(2), parts);
 }
 
+void VolumeShares::cut_one_sphere(const Block& block, const std::array<double, 3>& x, double r, double* parts) const {
+  if (block.size() == 1)
+    parts[0] = 1.0;
+  else if (scheme_ == VoidFractionScheme::particle_meshing)
+    mesh_particle(block, x, r, parts);
+  else
+    cut_sphere(block, x, r, parts);
+}
+
+void VolumeShares::cut_four_spheres(const std::array<Block, 4>& blocks, const dem::VectorField& centres,
+                                    const std::vector<double>& radius, std::size_t first) {
+  std::array<dem::Pack, 3> planes;
+  for (std::size_t lane = 0; lane < 4; ++lane) {
+    const auto x = centres.at(first + lane);
+    const double per_radius = 1.0 / radius[first + lane];
+    for (std::size_t a = 0; a < 3; ++a) {
+      const double plane = axis_[a].origin + (blocks[lane].first[a] + 1) * axis_[a].width;
+      planes[a][lane] = blocks[lane].cells[a] > 1 ? (plane - x[a]) * per_radius : 1.0;
+    }
+  }
+  std::array<dem::Pack, 8> octants;
+  unit_ball_octants(planes, octants);
+  for (std::size_t lane = 0; lane < 4; ++lane) {
+    const std::size_t i = first + lane;
+    const Block& block = blocks[lane];
+    double* shares = &share_[i * stride_];
+    if (!has_a_cell_per_square(block)) {
+      double* part = shares;
+      for (int ix = 0; ix < block.cells[0]; ++ix)
+        for (int iy = 0; iy < block.cells[1]; ++iy)
+          for (int iz = 0; iz < block.cells[2]; ++iz)
+            *part++ = octants[static_cast<std::size_t>(4 * ix + 2 * iy + iz)][lane];
+      keep_occupied(i, block);
+      continue;
+    }
+    std::uint32_t* cells = &cell_[i * stride_];
+    int count = 0;
+    for (int ix = 0; ix < block.cells[0]; ++ix)
+      for (int iy = 0; iy < block.cells[1]; ++iy) {
+        const int bottom =
+            grid_.cell_of_square(block.first[0] + ix, block.first[1] + iy) * grid_.layers() + block.first[2];
+        for (int iz = 0; iz < block.cells[2]; ++iz) {
+          const double share = octants[static_cast<std::size_t>(4 * ix + 2 * iy + iz)][lane];
+          // Written always, kept if anything is there: no branch that the processor would have to guess.
+          cells[count] = static_cast<std::uint32_t>(bottom + iz);
+          shares[count] = share;
+          count += share > 0.0 ? 1 : 0;
+        }
+      }
+    count_[i] = count;
+  }
+}
+
 void VolumeShares::keep_occupied(std::size_t i, const Block& block) {
   std::uint32_t* cells = &cell_[i * stride_];
   double* shares = &share_[i * stride_];
@@ -120,21 +173,6 @@ void VolumeShares::keep_occupied(std::size_t i, const Block& block) {
     return k >= 0 && k < axis.cells ? k : ((k % axis.cells) + axis.cells) % axis.cells;
   };
   int count = 0, part = 0;
-  if (has_a_cell_per_square(block)) {
-    for (int ix = 0; ix < block.cells[0]; ++ix)
-      for (int iy = 0; iy < block.cells[1]; ++iy) {
-        const int bottom =
-            grid_.cell_of_square(block.first[0] + ix, block.first[1] + iy) * grid_.layers() + block.first[2];
-        for (int iz = 0; iz < block.cells[2]; ++iz, ++part) {
-          const double share = shares[part];
-          cells[count] = static_cast<std::uint32_t>(bottom + iz);
-          shares[count] = share;
-          count += share > 0.0 ? 1 : 0;
-        }
-      }
-    count_[i] = count;
-    return;
-  }
   for (int ix = 0; ix < block.cells[0]; ++ix)
     for (int iy = 0; iy < block.cells[1]; ++iy) {
       const int column =
@@ -166,20 +204,26 @@ void VolumeShares::update(const dem::VectorField& centres, const std::vector<dou
   share_.resize(n * stride_);
   count_.resize(n);
   std::size_t occupied = 0;
+  const std::size_t groups = (n + 3) / 4;
 #pragma omp parallel for num_threads(threads) schedule(static) reduction(max : occupied)
-  for (std::size_t i = 0; i < n; ++i) {
-    const auto x = centres.at(i);
-    const double r = radius[i];
-    const Block block = block_around(x, scheme_ == VoidFractionScheme::centroid ? 0.0 : r);
-    double* parts = &share_[i * stride_];
-    if (block.size() == 1)
-      parts[0] = 1.0;
-    else if (scheme_ == VoidFractionScheme::particle_meshing)
-      mesh_particle(block, x, r, parts);
-    else
-      cut_sphere(block, x, r, parts);
-    keep_occupied(i, block);
-    occupied = std::max(occupied, static_cast<std::size_t>(block.first[2] + block.cells[2]));
+  for (std::size_t group = 0; group < groups; ++group) {
+    const std::size_t first = 4 * group, last = std::min(first + 4, n);
+    std::array<Block, 4> blocks;
+    bool few = last == first + 4 && scheme_ == VoidFractionScheme::exact_overlap;
+    for (std::size_t i = first; i < last; ++i) {
+      Block& block = blocks[i - first];
+      block = block_around(centres.at(i), scheme_ == VoidFractionScheme::centroid ? 0.0 : radius[i]);
+      occupied = std::max(occupied, static_cast<std::size_t>(block.first[2] + block.cells[2]));
+      few = few && std::ranges::max(block.cells) <= 2;
+    }
+    if (few) {
+      cut_four_spheres(blocks, centres, radius, first);
+    } else {
+      for (std::size_t i = first; i < last; ++i) {
+        cut_one_sphere(blocks[i - first], centres.at(i), radius[i], &share_[i * stride_]);
+        keep_occupied(i, blocks[i - first]);
+      }
+    }
   }
   occupied_layers_ = occupied;
 }

@@ -98,9 +98,13 @@ class VolumeShares {
     [[nodiscard]] int size() const { return cells[0] * cells[1] * cells[2]; }
   };
   [[nodiscard]] Block block_around(const std::array<double, 3>& x, double reach) const;
-  /// Shares of the block's cells, z fastest: by counting pieces, and exactly.
+  /// Shares of the block's cells, z fastest: by counting pieces, and exactly; and as the scheme says.
   void mesh_particle(const Block& block, const std::array<double, 3>& x, double r, double* parts) const;
   void cut_sphere(const Block& block, const std::array<double, 3>& x, double r, double* parts) const;
+  void cut_one_sphere(const Block& block, const std::array<double, 3>& x, double r, double* parts) const;
+  /// Cells and shares of spheres `first` to `first` + 3, cut exactly, each in at most two cells along each axis.
+  void cut_four_spheres(const std::array<Block, 4>& blocks, const dem::VectorField& centres,
+                        const std::vector<double>& radius, std::size_t first);
   [[nodiscard]] bool has_a_cell_per_square(const Block& block) const;
   /// Turns the shares of the block's cells, written where sphere i keeps its own, into cells and shares.
   void keep_occupied(std::size_t i, const Block& block);
@@ -111,7 +115,8 @@ class VolumeShares {
   std::array<Axis, 3> axis_;
   std::size_t stride_ = 1;
   std::vector<std::array<double, 3>> pieces_;
-  std::vector<char> alone_;  ///< per square of the section: its cell holds no other square
+  /// Per square of the section: its cell and those of the next squares along x, y and both hold no other square.
+  std::vector<char> alone_with_next_;
   std::vector<std::uint32_t> cell_;
   std::vector<double> share_;
   std::vector<int> count_;

@@ -65,7 +65,7 @@ LiquidSolver::LiquidSolver(const Scene& scene, bool closed, int threads)
       pressure_(grid_.size(), 0.0),
       volume_change_(grid_.size(), 0.0),
       dilatation_(grid_.size(), 0.0),
-      pressure_equation_(grid_, closed),
+      pressure_equation_(grid_, closed, threads),
       imbalance_(grid_.size(), 0.0),
       correction_(grid_.size(), 0.0) {
   for (std::size_t a = 0; a < 3; ++a) build_component(a);
@@ -834,8 +834,7 @@ double LiquidSolver::correct_pressure(const Exchange& exchange) {
                     iterations, error, pressure_tolerance_));
   for (std::size_t i = 0; i < grid_.size(); ++i) pressure_[i] += correction_[i];
   update_pressure_gradient<true>();
-  for (const double value : pressure_equation_.residual())
-    continuity_error_ = std::max(continuity_error_, std::abs(value) / inlet_flow);
+  continuity_error_ = pressure_equation_.largest_residual() / inlet_flow;
   return largest;
 }
 

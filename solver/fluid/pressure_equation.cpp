@@ -1,8 +1,11 @@
 #include "solver/fluid/pressure_equation.hpp"
 
+#include <omp.h>
+
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 namespace slfb::fluid {
 namespace {
@@ -13,20 +16,40 @@ std::size_t at(int section, int layer, int layers) {
 
 std::size_t as_index(int value) { return static_cast<std::size_t>(value); }
 
-double dot(const std::vector<double>& a, const std::vector<double>& b) {
-  const auto n = static_cast<Eigen::Index>(a.size());
-  return Eigen::Map<const Eigen::VectorXd>(a.data(), n).dot(Eigen::Map<const Eigen::VectorXd>(b.data(), n));
+/// Lowest and highest layer of each half of a column whose halves meet in `middle`, which is in neither: a walk from
+/// the end to the middle.
+struct Walk {
+  int from, step, count;
+};
+
+Walk walk_to_middle(int half, int middle, int layers) {
+  return half == 0 ? Walk{0, 1, middle} : Walk{layers - 1, -1, layers - 1 - middle};
 }
 
 }  // namespace
 
-PressureEquation::PressureEquation(const ColumnGrid& grid, bool closed) : grid_(grid), closed_(closed) {
-  const auto layers = static_cast<std::size_t>(grid.layers()), cells = static_cast<std::size_t>(grid.cells());
-  for (std::size_t a : {std::size_t{0}, std::size_t{1}}) coefficient[a].assign(grid.faces(a).size() * layers, 0.0);
+PressureEquation::PressureEquation(const ColumnGrid& grid, bool closed, int threads)
+    : grid_(grid), closed_(closed), threads_(threads), links_(as_index(grid.cells())) {
+  const auto layers = as_index(grid.layers()), cells = as_index(grid.cells());
+  const int padded = (grid.cells() + width - 1) / width * width;
+  for (std::size_t a : {std::size_t{0}, std::size_t{1}}) {
+    coefficient[a].assign(grid.faces(a).size() * layers, 0.0);
+    for (std::size_t f = 0; f < grid.faces(a).size(); ++f) {
+      const ColumnGrid::Face& face = grid.faces(a)[f];
+      links_[as_index(face.first)].push_back({a, f * layers, face.second});
+      links_[as_index(face.second)].push_back({a, f * layers, face.first});
+    }
+  }
   coefficient[2].assign(cells * (layers + 1), 0.0);
-  for (auto* field : {&diagonal_, &residual_, &direction_, &image_, &preconditioned_}) field->assign(grid.size(), 0.0);
-  transformed_.resize(grid.cells(), grid.layers());
-  scaled_.resize(grid.layers(), grid.cells());
+  for (int p = 0; p < parts; ++p) {
+    Part& part = parts_[as_index(p)];
+    const auto start = [&](int q) { return q == parts ? grid.layers() : grid.layers() * q / parts / width * width; };
+    part.first = start(p);
+    part.count = start(p + 1) - part.first;
+    for (auto* field : {&part.diagonal, &part.residual, &part.direction, &part.image, &part.preconditioned})
+      field->setZero(part.count, grid.cells());
+    part.scaled.setZero(part.count, padded);
+  }
 
   // Liquid without spheres: coefficients per area of the faces, of which only the section's Laplacian is needed.
   Eigen::MatrixXd section = Eigen::MatrixXd::Zero(grid.cells(), grid.cells());
@@ -42,122 +65,212 @@ PressureEquation::PressureEquation(const ColumnGrid& grid, bool closed) : grid_(
       lateral_sum_ += g;
     }
   const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> eigen(section, area.asDiagonal().toDenseMatrix());
-  modes_ = eigen.eigenvectors().cast<float>();
-  eigenvalues_ = eigen.eigenvalues().cwiseMax(0.0);
-  pivot_.resize(grid.cells(), grid.layers());
-  multiplier_.resize(grid.cells(), grid.layers());
+  modes_.setZero(padded, padded);
+  modes_.topLeftCorner(grid.cells(), grid.cells()) = eigen.eigenvectors().cast<float>();
+  eigenvalues_.setOnes(padded);
+  eigenvalues_.head(grid.cells()) = eigen.eigenvalues().cwiseMax(0.0).array();
+  for (auto* field : {&transformed_, &pivot_, &multiplier_}) field->setZero(padded, grid.layers());
   lateral_mean_.resize(layers);
   vertical_mean_.resize(layers + 1);
+  for (auto& eliminated : eliminated_) eliminated.setZero(padded);
+  for (auto& beyond : beyond_) beyond.setZero(padded);
 }
 
-void PressureEquation::update_diagonal() {
+void PressureEquation::update_diagonal(Part& part) {
   const int layers = grid_.layers();
   for (int c = 0; c < grid_.cells(); ++c) {
-    const double* vertical = &coefficient[2][at(c, 0, layers + 1)];
-    double* diagonal = &diagonal_[at(c, 0, layers)];
-    for (int k = 0; k < layers; ++k) diagonal[k] = vertical[k] + vertical[k + 1];
+    const double* vertical = &coefficient[2][at(c, part.first, layers + 1)];
+    const Eigen::Map<const Eigen::ArrayXd> below(vertical, part.count), above(vertical + 1, part.count);
+    part.diagonal.col(c) = below + above;
+    for (const Link& link : links_[as_index(c)])
+      part.diagonal.col(c) +=
+          Eigen::Map<const Eigen::ArrayXd>(&coefficient[link.axis][link.start] + part.first, part.count);
   }
-  for (std::size_t a : {std::size_t{0}, std::size_t{1}})
-    for (std::size_t f = 0; f < grid_.faces(a).size(); ++f) {
-      const ColumnGrid::Face& face = grid_.faces(a)[f];
-      const double* lateral = &coefficient[a][f * static_cast<std::size_t>(layers)];
-      double *first = &diagonal_[at(face.first, 0, layers)], *second = &diagonal_[at(face.second, 0, layers)];
-      for (int k = 0; k < layers; ++k) first[k] += lateral[k], second[k] += lateral[k];
-    }
   // Without an outlet the pressure is free by a constant: tie it to 0 in one cell, through which nothing flows then.
-  if (closed_) diagonal_[0] *= 2.0;
+  if (closed_ && part.first == 0 && part.count > 0) part.diagonal(0, 0) *= 2.0;
 }
 
-/// The layers' means of the coefficients, and the tridiagonal matrix of each mode factorised.
-void PressureEquation::update_preconditioner() {
+/// The layers' means of the coefficients, and the tridiagonal matrix of each mode factorised from both ends.
+void PressureEquation::update_preconditioner(const Own& own) {
   const int layers = grid_.layers();
-  std::fill(lateral_mean_.begin(), lateral_mean_.end(), 0.0);
-  std::fill(vertical_mean_.begin(), vertical_mean_.end(), 0.0);
-  for (std::size_t a : {std::size_t{0}, std::size_t{1}})
-    for (std::size_t f = 0; f < grid_.faces(a).size(); ++f)
-      for (int k = 0; k < layers; ++k)
-        lateral_mean_[as_index(k)] += coefficient[a][at(static_cast<int>(f), k, layers)] / lateral_sum_;
-  for (int c = 0; c < grid_.cells(); ++c)
-    for (int k = 1; k <= layers; ++k)
-      vertical_mean_[as_index(k)] += coefficient[2][at(c, k, layers + 1)] / grid_.section_area();
-  Eigen::ArrayXd above = Eigen::ArrayXd::Zero(grid_.cells());
-  for (int k = 0; k < layers; ++k) {
-    const double below = vertical_mean_[as_index(k)], next = vertical_mean_[as_index(k) + 1];
-    // The mean of a closed column is free; any stiffness that ties it will do.
-    const double tie = closed_ && k == 0 ? next : 0.0;
-    const Eigen::ArrayXd pivot =
-        (lateral_mean_[as_index(k)] * eigenvalues_.array() + (below + next + tie) - above * below).inverse();
-    above = next * pivot;
-    pivot_.col(k) = pivot.cast<float>();
-    multiplier_.col(k) = above.cast<float>();
-  }
-}
-
-void PressureEquation::multiply(const std::vector<double>& x, std::vector<double>& result) const {
-  const int layers = grid_.layers();
-  for (int c = 0; c < grid_.cells(); ++c) {
-    const double *in = &x[at(c, 0, layers)], *vertical = &coefficient[2][at(c, 0, layers + 1)],
-                 *diagonal = &diagonal_[at(c, 0, layers)];
-    double* out = &result[at(c, 0, layers)];
-    for (int k = 0; k < layers; ++k) out[k] = diagonal[k] * in[k];
-    for (int k = 1; k < layers; ++k) out[k] -= vertical[k] * in[k - 1];
-    for (int k = 0; k + 1 < layers; ++k) out[k] -= vertical[k + 1] * in[k + 1];
-  }
+  double *lateral_mean = lateral_mean_.data(), *vertical_mean = vertical_mean_.data();
+  const int first = parts_[as_index(own.first)].first,
+            last = parts_[as_index(own.last - 1)].first + parts_[as_index(own.last - 1)].count;
+  std::fill(lateral_mean + first, lateral_mean + last, 0.0);
+  std::fill(vertical_mean + first + 1, vertical_mean + last + 1, 0.0);
   for (std::size_t a : {std::size_t{0}, std::size_t{1}})
     for (std::size_t f = 0; f < grid_.faces(a).size(); ++f) {
-      const ColumnGrid::Face& face = grid_.faces(a)[f];
-      const double* lateral = &coefficient[a][f * static_cast<std::size_t>(layers)];
-      const double *first = &x[at(face.first, 0, layers)], *second = &x[at(face.second, 0, layers)];
-      double *to_first = &result[at(face.first, 0, layers)], *to_second = &result[at(face.second, 0, layers)];
-      for (int k = 0; k < layers; ++k) {
-        to_first[k] -= lateral[k] * second[k];
-        to_second[k] -= lateral[k] * first[k];
-      }
+      const double *lateral = &coefficient[a][f * as_index(layers)], share = 1.0 / lateral_sum_;
+#pragma omp simd
+      for (int k = first; k < last; ++k) lateral_mean[k] += share * lateral[k];
     }
+  for (int c = 0; c < grid_.cells(); ++c) {
+    const double *vertical = &coefficient[2][at(c, 0, layers + 1)], share = 1.0 / grid_.section_area();
+#pragma omp simd
+    for (int k = first + 1; k <= last; ++k) vertical_mean[k] += share * vertical[k];
+  }
+#pragma omp barrier
+  // The mean of a closed column is free; any stiffness that ties it will do.
+  const auto diagonal = [&](int k) {
+    const double below = k > 0 ? vertical_mean[k] : 0.0, above = vertical_mean[k + 1];
+    return lateral_mean[k] * eigenvalues_ + (below + above + (closed_ && k == 0 ? above : 0.0));
+  };
+  for (int half = 0; half < 2; ++half) {
+    if (!is_owner(own, half)) continue;
+    Eigen::ArrayXd& eliminated = eliminated_[as_index(half)];
+    eliminated.setZero();
+    const Walk walk = walk_to_middle(half, middle(), layers);
+    for (int n = 0, k = walk.from; n < walk.count; ++n, k += walk.step) {
+      const double inwards = vertical_mean[half == 0 ? k + 1 : k];
+      pivot_.col(k) = (diagonal(k) - eliminated).inverse().cast<float>();
+      eliminated = inwards / (diagonal(k) - eliminated);
+      multiplier_.col(k) = eliminated.cast<float>();
+      eliminated *= inwards;
+    }
+  }
+#pragma omp barrier
+  if (is_owner(own, 1))
+    pivot_.col(middle()) = (diagonal(middle()) - eliminated_[0] - eliminated_[1]).inverse().cast<float>();
 }
 
-void PressureEquation::precondition(const std::vector<double>& residual, double magnitude,
-                                    std::vector<double>& result) {
+void PressureEquation::multiply(Part& part) {
+  const int layers = grid_.layers(), count = part.count;
+  if (count == 0) return;
+  // The next part with any layers.
+  const Part *layer_below = &part, *layer_above = &part;
+  do --layer_below;
+  while (layer_below >= parts_.data() && layer_below->count == 0);
+  do ++layer_above;
+  while (layer_above < parts_.data() + parts && layer_above->count == 0);
+  for (int c = 0; c < grid_.cells(); ++c) {
+    const double* vertical = &coefficient[2][at(c, part.first, layers + 1)];
+    const double *in = &part.direction(0, c), *diagonal = &part.diagonal(0, c);
+    double* out = &part.image(0, c);
+#pragma omp simd
+    for (int k = 0; k < count; ++k) out[k] = diagonal[k] * in[k];
+#pragma omp simd
+    for (int k = 1; k < count; ++k) out[k] -= vertical[k] * in[k - 1];
+#pragma omp simd
+    for (int k = 0; k < count - 1; ++k) out[k] -= vertical[k + 1] * in[k + 1];
+    if (part.first > 0) out[0] -= vertical[0] * layer_below->direction(layer_below->count - 1, c);
+    if (part.first + count < layers) out[count - 1] -= vertical[count] * layer_above->direction(0, c);
+    for (const Link& link : links_[as_index(c)]) {
+      const double* lateral = &coefficient[link.axis][link.start] + part.first;
+      const double* there = &part.direction(0, link.neighbour);
+#pragma omp simd
+      for (int k = 0; k < count; ++k) out[k] -= lateral[k] * there[k];
+    }
+  }
+  part.product = (part.direction * part.image).sum();
+}
+
+void PressureEquation::precondition(const Own& own, double magnitude) {
+  const int layers = grid_.layers();
+  for (int p = own.first; p < own.last; ++p) {
+    Part& part = parts_[as_index(p)];
+    part.scaled.leftCols(grid_.cells()) = (part.residual / magnitude).matrix().cast<float>();
+    transformed_.middleCols(part.first, part.count).noalias() = modes_.transpose() * part.scaled.transpose();
+  }
+#pragma omp barrier
+  const int centre = middle();
+  for (int half = 0; half < 2; ++half) {
+    if (!is_owner(own, half)) continue;
+    const Walk walk = walk_to_middle(half, centre, grid_.layers());
+    for (int n = 1, k = walk.from + walk.step; n < walk.count; ++n, k += walk.step)
+      transformed_.col(k).array() += multiplier_.col(k - walk.step).array() * transformed_.col(k - walk.step).array();
+  }
+#pragma omp barrier
+  for (int half = 0; half < 2; ++half) {
+    if (!is_owner(own, half)) continue;
+    // Both owners work the middle out for themselves.
+    Eigen::ArrayXf& beyond = beyond_[as_index(half)];
+    beyond = transformed_.col(centre).array();
+    if (centre > 0) beyond += multiplier_.col(centre - 1).array() * transformed_.col(centre - 1).array();
+    if (centre + 1 < layers) beyond += multiplier_.col(centre + 1).array() * transformed_.col(centre + 1).array();
+    beyond *= pivot_.col(centre).array();
+  }
+#pragma omp barrier
+  for (int half = 0; half < 2; ++half) {
+    if (!is_owner(own, half)) continue;
+    Eigen::ArrayXf& beyond = beyond_[as_index(half)];
+    if (half == 1) transformed_.col(centre) = beyond.matrix();
+    const Walk walk = walk_to_middle(half, centre, grid_.layers());
+    for (int n = walk.count, k = walk.from + walk.step * (walk.count - 1); n > 0; --n, k -= walk.step) {
+      beyond = pivot_.col(k).array() * transformed_.col(k).array() + multiplier_.col(k).array() * beyond;
+      transformed_.col(k) = beyond.matrix();
+    }
+  }
+#pragma omp barrier
+  for (int p = own.first; p < own.last; ++p) {
+    Part& part = parts_[as_index(p)];
+    part.scaled.noalias() = transformed_.middleCols(part.first, part.count).transpose() * modes_.transpose();
+    part.preconditioned = magnitude * part.scaled.leftCols(grid_.cells()).cast<double>().array();
+    part.product = (part.residual * part.preconditioned).sum();
+  }
+}
+
+PressureEquation::Outcome PressureEquation::iterate(const Own& own, const std::vector<double>& b,
+                                                    std::vector<double>& x, double tolerance, int most) {
   const Eigen::Index layers = grid_.layers(), cells = grid_.cells();
-  scaled_ = (Eigen::Map<const Eigen::MatrixXd>(residual.data(), layers, cells) / magnitude).cast<float>();
-  transformed_.noalias() = modes_.transpose() * scaled_.transpose();
-  for (Eigen::Index k = 1; k < layers; ++k)
-    transformed_.col(k).array() += multiplier_.col(k - 1).array() * transformed_.col(k - 1).array();
-  transformed_.col(layers - 1).array() *= pivot_.col(layers - 1).array();
-  for (Eigen::Index k = layers - 1; k-- > 0;)
-    transformed_.col(k).array() = pivot_.col(k).array() * transformed_.col(k).array() +
-                                  multiplier_.col(k).array() * transformed_.col(k + 1).array();
-  scaled_.noalias() = transformed_.transpose() * modes_.transpose();
-  Eigen::Map<Eigen::MatrixXd>(result.data(), layers, cells) = magnitude * scaled_.cast<double>();
-}
-
-PressureEquation::Outcome PressureEquation::solve(const std::vector<double>& b, std::vector<double>& x,
-                                                  double tolerance, int most) {
-  update_diagonal();
-  update_preconditioner();
-  const std::size_t n = b.size();
-  std::fill(x.begin(), x.end(), 0.0);
-  residual_ = b;
-  double squared = dot(b, b), previous = 0.0;
+  const Eigen::Map<const Eigen::ArrayXXd> right_hand_side(b.data(), layers, cells);
+  Eigen::Map<Eigen::ArrayXXd> solution(x.data(), layers, cells);
+  const std::span<Part> parts_here(&parts_[as_index(own.first)], as_index(own.last - own.first));
+  for (Part& part : parts_here) update_diagonal(part);
+  update_preconditioner(own);
+  for (Part& part : parts_here) {
+    solution.middleRows(part.first, part.count) = 0.0;
+    part.residual = right_hand_side.middleRows(part.first, part.count);
+    part.squared = part.residual.square().sum();
+  }
+#pragma omp barrier
+  const auto sum_of = [this](double Part::*value) {
+    double sum = 0.0;
+    for (const Part& part : parts_) sum += part.*value;
+    return sum;
+  };
+  double squared = sum_of(&Part::squared), previous = 0.0;
   const double wanted = tolerance * tolerance * squared, norm_b = std::sqrt(squared);
   Outcome outcome;
   while (squared > wanted && outcome.iterations < most) {
-    precondition(residual_, std::sqrt(squared), preconditioned_);
-    const double product = dot(residual_, preconditioned_);
-    const double keep = outcome.iterations == 0 ? 0.0 : product / previous;
-    for (std::size_t i = 0; i < n; ++i) direction_[i] = preconditioned_[i] + keep * direction_[i];
-    previous = product;
-    multiply(direction_, image_);
-    const double length = product / dot(direction_, image_);
-    for (std::size_t i = 0; i < n; ++i) {
-      x[i] += length * direction_[i];
-      residual_[i] -= length * image_[i];
+    precondition(own, std::sqrt(squared));
+#pragma omp barrier
+    const double along = sum_of(&Part::product), keep = outcome.iterations == 0 ? 0.0 : along / previous;
+    previous = along;
+    for (Part& part : parts_here) part.direction = part.preconditioned + keep * part.direction;
+#pragma omp barrier
+    for (Part& part : parts_here) multiply(part);
+#pragma omp barrier
+    const double length = along / sum_of(&Part::product);
+    for (Part& part : parts_here) {
+      solution.middleRows(part.first, part.count) += length * part.direction;
+      part.residual -= length * part.image;
+      part.squared = part.residual.square().sum();
     }
-    squared = dot(residual_, residual_);
+#pragma omp barrier
+    squared = sum_of(&Part::squared);
     ++outcome.iterations;
   }
   outcome.relative_residual = norm_b > 0.0 ? std::sqrt(squared) / norm_b : 0.0;
   return outcome;
+}
+
+PressureEquation::Outcome PressureEquation::solve(const std::vector<double>& b, std::vector<double>& x,
+                                                  double tolerance, int most) {
+  Outcome outcome;
+#pragma omp parallel num_threads(std::min(threads_, parts))
+  {
+    const int thread = omp_get_thread_num(), threads = omp_get_num_threads();
+    const Outcome own = iterate({parts * thread / threads, parts * (thread + 1) / threads}, b, x, tolerance, most);
+    if (thread == 0) outcome = own;
+  }
+  return outcome;
+}
+
+double PressureEquation::largest_residual() const {
+  double largest = 0.0;
+  for (const Part& part : parts_)
+    if (part.count > 0) largest = std::max(largest, part.residual.abs().maxCoeff());
+  return largest;
 }
 
 }  // namespace slfb::fluid
