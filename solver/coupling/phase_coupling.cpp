@@ -114,9 +114,15 @@ void PhaseCoupling::start_interval(const dem::Engine& engine, double time_step) 
   smoothing_->scatter(solid_, engine.threads());
   interval_end_.resize(grid.size());
   const auto layers = static_cast<std::size_t>(grid.layers());
-  for (std::size_t c = 0; c < grid.size(); ++c)
-    interval_end_[c] = grid.volume(static_cast<int>(c / layers)) - solid_[c];
-  interval_start_ = liquid_before_.empty() ? interval_end_ : liquid_before_;
+#pragma omp parallel for num_threads(engine.threads()) schedule(static)
+  for (int s = 0; s < grid.cells(); ++s) {
+    const std::size_t start = static_cast<std::size_t>(s) * layers;
+    const double volume = grid.volume(s), *solid = &solid_[start];
+    double* liquid = &interval_end_[start];
+#pragma omp simd
+    for (std::size_t k = 0; k < layers; ++k) liquid[k] = volume - solid[k];
+  }
+  if (interval_steps_ > 1) interval_start_ = liquid_before_;
 }
 
 void PhaseCoupling::update_void_fraction(const dem::Engine& engine, double time_step) {
@@ -124,23 +130,26 @@ void PhaseCoupling::update_void_fraction(const dem::Engine& engine, double time_
   const fluid::ColumnGrid& grid = liquid_->grid();
   if (interval_step_ >= interval_steps_ || interval_end_.empty()) start_interval(engine, time_step);
   ++interval_step_;
-  if (interval_step_ == interval_steps_) {
-    liquid_now_ = interval_end_;
-  } else {
-    liquid_now_.resize(grid.size());
-    const double done = static_cast<double>(interval_step_) / interval_steps_;
-    for (std::size_t c = 0; c < grid.size(); ++c)
-      liquid_now_[c] = interval_start_[c] + done * (interval_end_[c] - interval_start_[c]);
-  }
+  const double done = static_cast<double>(interval_step_) / interval_steps_;
+  liquid_now_.resize(grid.size());
   cell_scratch_.resize(grid.size());
   const auto layers = static_cast<std::size_t>(grid.layers());
+#pragma omp parallel for num_threads(engine.threads()) schedule(static)
   for (int s = 0; s < grid.cells(); ++s) {
-    const double volume = grid.volume(s), *liquid = &liquid_now_[static_cast<std::size_t>(s) * layers];
-    double* voidage = &cell_scratch_[static_cast<std::size_t>(s) * layers];
+    const std::size_t start = static_cast<std::size_t>(s) * layers;
+    const double volume = grid.volume(s), *end = &interval_end_[start];
+    double *liquid = &liquid_now_[start], *voidage = &cell_scratch_[start];
+    std::copy_n(end, layers, liquid);
+    if (interval_step_ < interval_steps_)
+      for (std::size_t k = 0; k < layers; ++k) {
+        const double before = interval_start_[start + k];
+        liquid[k] = before + done * (end[k] - before);
+      }
 #pragma omp simd
     for (std::size_t k = 0; k < layers; ++k) voidage[k] = liquid[k] / volume;
   }
   smoothing_->gather(cell_scratch_, engine.threads());
+#pragma omp parallel for num_threads(engine.threads()) schedule(static)
   for (std::size_t c = 0; c < grid.size(); ++c) cells_[c].value[CellValues::voidage] = cell_scratch_[c];
   if (liquid_before_.empty()) liquid_before_ = liquid_now_;
 }
@@ -336,6 +345,7 @@ double PhaseCoupling::update_coefficient(const dem::Engine& engine, double time_
 void PhaseCoupling::advance(dem::Engine& engine, double time_step) {
   const std::size_t n = engine.particles.size();
   resize(n);
+#pragma omp parallel for num_threads(engine.threads()) schedule(static)
   for (std::size_t i = 0; i < n; ++i) volume_[i] = engine.particles.volume(i);
   passes_ = 1;
   if (liquid_ == nullptr) {

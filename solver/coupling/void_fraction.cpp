@@ -39,8 +39,9 @@ VolumeShares::VolumeShares(VoidFractionScheme scheme, int meshing_pieces, const 
 
 /// No two squares of a block of at most two by two belong to one cell, and none lies across a side of the grid.
 bool VolumeShares::has_a_cell_per_square(const Block& block) const {
-  return block.first[0] >= 0 && block.first[1] >= 0 &&
-         alone_with_next_[static_cast<std::size_t>(block.first[1] * axis_[0].cells + block.first[0])];
+  const auto [x, y, z] = block.first;
+  return x >= 0 && x < axis_[0].cells && y >= 0 && y < axis_[1].cells &&
+         alone_with_next_[static_cast<std::size_t>(y * axis_[0].cells + x)] != 0;
 }
 
 std::vector<std::array<double, 3>> VolumeShares::meshing_template(int pieces) {

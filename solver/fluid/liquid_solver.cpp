@@ -1,6 +1,7 @@
 #include "solver/fluid/liquid_solver.hpp"
 
 #include <fmt/core.h>
+#include <omp.h>
 
 #include <algorithm>
 #include <cmath>
@@ -67,7 +68,8 @@ LiquidSolver::LiquidSolver(const Scene& scene, bool closed, int threads)
       dilatation_(grid_.size(), 0.0),
       pressure_equation_(grid_, closed, threads),
       imbalance_(grid_.size(), 0.0),
-      correction_(grid_.size(), 0.0) {
+      correction_(grid_.size(), 0.0),
+      scratch_(as_index(threads)) {
   for (std::size_t a = 0; a < 3; ++a) build_component(a);
 }
 
@@ -110,14 +112,15 @@ void LiquidSolver::build_component(std::size_t a) {
     c.neighbour.push_back(neighbour);
   }
   const std::size_t n = as_index(c.sections) * as_index(c.levels);
-  for (auto* field : {&c.volume, &c.fraction, &c.liquid_before, &c.liquid_now, &c.velocity, &c.previous,
+  for (auto* field : {&c.volume, &c.fraction, &c.liquid_before, &c.liquid_now, &c.stressed, &c.velocity, &c.previous,
                       &c.pressure_gradient, &c.viscous, &c.flow, &c.inertia, &c.old_inertia, &c.diagonal,
                       &c.inverse_diagonal, &c.right_hand_side, &c.next, &c.mobility})
     field->assign(n, 0.0);
+  if (time_scheme_ == TimeScheme::second_order)
+    for (auto* field : {&c.liquid_earlier, &c.earlier}) field->assign(n, 0.0);
   for (auto& flux : c.flux) flux.assign(n, 0.0);
   for (auto& coefficient : c.coefficient) coefficient.assign(n, 0.0);
-  c.change.resize(as_index(c.levels));
-  c.peak.resize(as_index(c.levels));
+  for (auto& told : c.told) told.resize(as_index(threads_));
   for (auto& end : c.end) end.assign(as_index(c.sections), 0.0);
   std::vector<double> volumes(grid_.size());
   for (int cell = 0; cell < grid_.cells(); ++cell)
@@ -218,10 +221,15 @@ std::array<double, 3> LiquidSolver::position(std::size_t a, std::size_t node) co
 }
 
 void LiquidSolver::scatter(std::size_t a, const std::vector<double>& cells, std::vector<double>& nodes) const {
+  nodes.resize(as_index(component_[a].sections) * as_index(component_[a].levels));
+  scatter(a, {0, component_[a].sections}, cells, nodes);
+}
+
+void LiquidSolver::scatter(std::size_t a, Range own, const std::vector<double>& cells,
+                           std::vector<double>& nodes) const {
   const Component& c = component_[a];
   const auto layers = as_index(grid_.layers());
-  nodes.resize(as_index(c.sections) * as_index(c.levels));
-  for (int s = 0; s < c.sections; ++s) {
+  for (int s = own.first; s < own.last; ++s) {
     const auto& owner = c.owner[as_index(s)];
     const auto& share = c.share[as_index(s)];
     const double *first = &cells[index(owner[0], 0, grid_.layers())],
@@ -284,6 +292,25 @@ double LiquidSolver::face_area(std::size_t a, int section) const {
   return a == vertical ? grid_.area(section) : grid_.faces(a)[as_index(section)].length * grid_.cell_height();
 }
 
+template <class Work>
+void LiquidSolver::for_ranges(Work work) const {
+#pragma omp parallel num_threads(threads_)
+  {
+    const int thread = omp_get_thread_num(), threads = omp_get_num_threads();
+    for (std::size_t a = 0; a < 3; ++a) {
+      const int sections = component_[a].sections;
+      work(a, Range{sections * thread / threads, sections * (thread + 1) / threads}, thread);
+    }
+  }
+}
+
+template <class Work>
+void LiquidSolver::for_sections(Work work) const {
+  for_ranges([&](std::size_t a, Range own, int) {
+    for (int s = own.first; s < own.last; ++s) work(a, s);
+  });
+}
+
 /// Distance between the pressure points on both sides of a node [m].
 double LiquidSolver::spacing(std::size_t a, int level) const {
   if (a != vertical) return grid_.spacing(a);
@@ -298,46 +325,49 @@ void LiquidSolver::start_step(double time_step, const std::vector<double>& befor
   // ∂f/∂t at the end of the step = at_now f^(n+1) − at_before f^n + at_earlier f^(n−1).
   const double at_now = (second_order ? 1.5 : 1.0) / time_step, at_before = (second_order ? 2.0 : 1.0) / time_step,
                at_earlier = 0.5 / time_step;
+#pragma omp parallel for num_threads(threads_) schedule(static)
   for (std::size_t i = 0; i < volume_change_.size(); ++i) {
     volume_change_[i] = at_now * now[i] - at_before * before[i];
     if (second_order) volume_change_[i] += at_earlier * earlier_volume_[i];
   }
-#pragma omp parallel for num_threads(std::min(threads_, 3)) schedule(static)
-  for (std::size_t a = 0; a < 3; ++a) {
+  const bool nodes_hold_before = goes_on && nodes_hold_last_volume_;
+  for (Component& c : component_)
+    if (nodes_hold_before) std::swap(c.liquid_before, c.liquid_now);
+  for_ranges([&](std::size_t a, Range own, int) {
     Component& c = component_[a];
-    if (goes_on && nodes_hold_last_volume_)
-      std::swap(c.liquid_before, c.liquid_now);
-    else
-      scatter(a, before, c.liquid_before);
-    scatter(a, now, c.liquid_now);
-    const std::size_t n = c.velocity.size();
+    if (!nodes_hold_before) scatter(a, own, before, c.liquid_before);
+    scatter(a, own, now, c.liquid_now);
+    if (second_order) scatter(a, own, earlier_volume_, c.liquid_earlier);
+    const std::size_t first = index(own.first, 0, c.levels), end = index(own.last, 0, c.levels);
     {
-      const double *volume = c.volume.data(), *liquid_now = c.liquid_now.data(), *liquid = c.liquid_before.data();
-      double *fraction = c.fraction.data(), *inertia = c.inertia.data();
+      const double *volume = c.volume.data(), *liquid_now = c.liquid_now.data(), *liquid = c.liquid_before.data(),
+                   *velocity = c.velocity.data();
+      double *fraction = c.fraction.data(), *inertia = c.inertia.data(), *old_inertia = c.old_inertia.data(),
+             *previous = c.previous.data();
       const double factor = density_ * at_before;
 #pragma omp simd
-      for (std::size_t i = 0; i < n; ++i) {
+      for (std::size_t i = first; i < end; ++i) {
         fraction[i] = volume[i] > 0.0 ? liquid_now[i] / volume[i] : 0.0;
-        inertia[i] = factor * liquid[i];
+        inertia[i] = old_inertia[i] = factor * liquid[i];
+        previous[i] = velocity[i];
       }
     }
-    c.previous = c.velocity;
-    if (second_order) {
-      scatter(a, earlier_volume_, c.liquid_earlier);
-      // The sum of both steps' momentum over the inertia stands for the old velocity.
-      for (std::size_t i = 0; i < n; ++i) {
+    if (time_scheme_ != TimeScheme::second_order) return;
+    for (std::size_t i = first; i < end; ++i) {
+      if (second_order) {
+        // The sum of both steps' momentum over the inertia stands for the old velocity.
         const double earlier_inertia = density_ * at_earlier * c.liquid_earlier[i];
         const double momentum = c.inertia[i] * c.velocity[i] - earlier_inertia * c.earlier[i];
         c.inertia[i] -= earlier_inertia;
+        c.old_inertia[i] = c.inertia[i];
         c.velocity[i] = 2.0 * c.velocity[i] - c.earlier[i];
         c.earlier[i] = c.previous[i];
         if (c.inertia[i] > 0.0) c.previous[i] = momentum / c.inertia[i];
+      } else {
+        c.earlier[i] = c.previous[i];
       }
-    } else if (time_scheme_ == TimeScheme::second_order) {
-      c.earlier = c.previous;
     }
-  }
-  for (Component& c : component_) c.old_inertia = c.inertia;
+  });
   if (time_scheme_ == TimeScheme::second_order) earlier_volume_ = before;
   last_volume_ = now;
   nodes_hold_last_volume_ = true;
@@ -348,83 +378,81 @@ void LiquidSolver::start_step(double time_step, const std::vector<double>& befor
 
 /// Volume flow of liquid α u A through every cell face at the start of the step, for which continuity holds.
 void LiquidSolver::start_flows() {
-#pragma omp parallel for num_threads(std::min(threads_, 3)) schedule(static)
-  for (std::size_t a = 0; a < 3; ++a) {
+  for_sections([this](std::size_t a, int s) {
     Component& c = component_[a];
-    for (int s = 0; s < c.sections; ++s) {
-      const double area = face_area(a, s);
-      const std::size_t start = index(s, 0, c.levels);
-      const double *volume = &c.volume[start], *liquid = &c.liquid_before[start], *velocity = &c.velocity[start];
-      double* flow = &c.flow[start];
+    const double area = face_area(a, s);
+    const std::size_t start = index(s, 0, c.levels);
+    const double *volume = &c.volume[start], *liquid = &c.liquid_before[start], *velocity = &c.velocity[start];
+    double* flow = &c.flow[start];
+    const int levels = c.levels;
 #pragma omp simd
-      for (int k = 0; k < c.levels; ++k) flow[k] = volume[k] > 0.0 ? liquid[k] / volume[k] * area * velocity[k] : 0.0;
-      if (a == vertical) c.flow[start] = c.end[0][as_index(s)] * area;
-    }
-  }
+    for (int k = 0; k < levels; ++k) flow[k] = volume[k] > 0.0 ? liquid[k] / volume[k] * area * velocity[k] : 0.0;
+    if (a == vertical) flow[0] = c.end[0][as_index(s)] * area;
+  });
 }
 
 /// Makes the vertical momentum's old content that of the liquid volumes which the convecting flow has filled from:
 /// V^(n−1) = V^n + Δt Σ flow out. With it Σ q (u_face − u_P) is conservative although q is that of the step before.
-void LiquidSolver::add_net_outflow() {
+void LiquidSolver::add_net_outflow(Range own) {
   Component& c = component_[vertical];
   const int layers = grid_.layers();
   for (int s = 0; s < c.sections; ++s) {
     const std::size_t start = index(s, 0, c.levels);
     double* inertia = &c.old_inertia[start];
-    const double *up = &c.flux[2][start], *flow = &c.flow[start];
-    for (int k = 1; k < layers; ++k) inertia[k] += density_ * (up[k + 1] - up[k]);
-    inertia[layers] += density_ * (flow[layers] - up[layers]);
+    if (own.has(s)) {
+      const double *up = &c.flux[2][start], *flow = &c.flow[start];
+      for (int k = 1; k < layers; ++k) inertia[k] += density_ * (up[k + 1] - up[k]);
+      inertia[layers] += density_ * (flow[layers] - up[layers]);
+    }
     for (std::size_t axis : {std::size_t{0}, std::size_t{1}}) {
       const int t = c.neighbour[as_index(s)][2 * axis + 1];
       if (t < 0) continue;
       double* beyond = &c.old_inertia[index(t, 0, c.levels)];
       const double* flux = &c.flux[axis][start];
-      for (int k = 1; k <= layers; ++k) {
-        inertia[k] += density_ * flux[k];
-        beyond[k] -= density_ * flux[k];
-      }
+      if (own.has(s))
+        for (int k = 1; k <= layers; ++k) inertia[k] += density_ * flux[k];
+      if (own.has(t))
+        for (int k = 1; k <= layers; ++k) beyond[k] -= density_ * flux[k];
     }
   }
 }
 
 /// Stress moves the liquid's own volume, and through the drag what the spheres pass on of theirs.
 void LiquidSolver::put_stress_on(const Exchange& exchange) {
-  for (std::size_t a = 0; a < 3; ++a) {
+  for_ranges([&](std::size_t a, Range own, int) {
     Component& c = component_[a];
-    c.stressed = c.liquid_now;
-    if (exchange.volume[a].empty()) continue;
+    const std::size_t first = index(own.first, 0, c.levels), end = index(own.last, 0, c.levels);
+    std::copy(&c.liquid_now[first], c.liquid_now.data() + end, &c.stressed[first]);
+    if (exchange.volume[a].empty()) return;
     const double* volume = exchange.volume[a].data();
     double* stressed = c.stressed.data();
-    const std::size_t nodes = c.stressed.size();
 #pragma omp simd
-    for (std::size_t n = 0; n < nodes; ++n) stressed[n] += volume[n];
-  }
+    for (std::size_t n = first; n < end; ++n) stressed[n] += volume[n];
+  });
 }
 
 /// Volume flow of liquid α u A through every cell face, on the nodes.
 void LiquidSolver::update_flows() {
-#pragma omp parallel for num_threads(std::min(threads_, 3)) schedule(static)
-  for (std::size_t a = 0; a < 3; ++a) {
+  for_sections([this](std::size_t a, int s) {
     Component& c = component_[a];
-    for (int s = 0; s < c.sections; ++s) {
-      const double area = face_area(a, s);
-      const std::size_t start = index(s, 0, c.levels);
-      const double *fraction = &c.fraction[start], *velocity = &c.velocity[start];
-      double* flow = &c.flow[start];
+    const double area = face_area(a, s);
+    const std::size_t start = index(s, 0, c.levels);
+    const double *fraction = &c.fraction[start], *velocity = &c.velocity[start];
+    double* flow = &c.flow[start];
+    const int levels = c.levels;
 #pragma omp simd
-      for (int k = 0; k < c.levels; ++k) flow[k] = fraction[k] * area * velocity[k];
-      if (a == vertical) c.flow[start] = c.end[0][as_index(s)] * area;
-    }
-  }
+    for (int k = 0; k < levels; ++k) flow[k] = fraction[k] * area * velocity[k];
+    if (a == vertical) flow[0] = c.end[0][as_index(s)] * area;
+  });
 }
 
 /// Flow through the links between the control volumes of a component: each cell's face flow counts with the share that
 /// the cell has in the node, so that the node's continuity is the sum of its cells' continuities.
-void LiquidSolver::link_fluxes(std::size_t a) {
+void LiquidSolver::link_fluxes(std::size_t a, Range own) {
   Component& c = component_[a];
   const int layers = grid_.layers();
   if (a == vertical) {
-    for (int s = 0; s < c.sections; ++s) {
+    for (int s = own.first; s < own.last; ++s) {
       for (std::size_t axis : {std::size_t{0}, std::size_t{1}}) {
         const int face = grid_.face_of(s, axis, 1);
         if (face < 0) continue;
@@ -445,7 +473,7 @@ void LiquidSolver::link_fluxes(std::size_t a) {
     return;
   }
   const std::size_t cross = 1 - a;
-  for (int s = 0; s < c.sections; ++s) {
+  for (int s = own.first; s < own.last; ++s) {
     const auto& owner = c.owner[as_index(s)];
     const auto& share = c.share[as_index(s)];
     const std::size_t start = index(s, 0, layers);
@@ -471,50 +499,50 @@ void LiquidSolver::link_fluxes(std::size_t a) {
 /// any time step.
 void LiquidSolver::start_viscous() {
   const int layers = grid_.layers();
+#pragma omp parallel for num_threads(threads_) schedule(static)
   for (int cell = 0; cell < grid_.cells(); ++cell) {
-    const double* velocity = &component_[vertical].velocity[index(cell, 0, layers + 1)];
+    const double *velocity = &component_[vertical].velocity[index(cell, 0, layers + 1)],
+                 per_height = 1.0 / grid_.cell_height();
     double* dilatation = &dilatation_[index(cell, 0, layers)];
-    for (int k = 0; k < layers; ++k) dilatation[k] = (velocity[k + 1] - velocity[k]) / grid_.cell_height();
-  }
-  for (std::size_t a : {std::size_t{0}, std::size_t{1}}) {
-    const Component& c = component_[a];
-    for (int s = 0; s < c.sections; ++s) {
-      const auto& face = grid_.faces(a)[as_index(s)];
-      const double to_first = face.length / grid_.area(face.first), to_second = face.length / grid_.area(face.second);
-      const double* velocity = &c.velocity[index(s, 0, layers)];
-      double *first = &dilatation_[index(face.first, 0, layers)], *second = &dilatation_[index(face.second, 0, layers)];
-      for (int k = 0; k < layers; ++k) {
-        first[k] += to_first * velocity[k];
-        second[k] -= to_second * velocity[k];
+#pragma omp simd
+    for (int k = 0; k < layers; ++k) dilatation[k] = (velocity[k + 1] - velocity[k]) * per_height;
+    for (std::size_t a : {std::size_t{0}, std::size_t{1}})
+      for (std::size_t side : {std::size_t{0}, std::size_t{1}}) {
+        const int face = grid_.face_of(cell, a, side);
+        if (face < 0) continue;
+        const double *through = &component_[a].velocity[index(face, 0, layers)],
+                     weight = (side == 0 ? -1.0 : 1.0) * grid_.faces(a)[as_index(face)].length / grid_.area(cell);
+#pragma omp simd
+        for (int k = 0; k < layers; ++k) dilatation[k] += weight * through[k];
       }
-    }
   }
-  for (std::size_t a = 0; a < 3; ++a) {
+  for_sections([this, layers](std::size_t a, int s) {
     Component& c = component_[a];
     const double factor = viscosity_ / 3.0 / (a == vertical ? grid_.cell_height() : grid_.spacing(a));
-    for (int s = 0; s < c.sections; ++s) {
-      const auto& owner = c.owner[as_index(s)];
-      const double *lower = &dilatation_[index(owner[0], 0, layers)], *upper = &dilatation_[index(owner[1], 0, layers)];
-      double* viscous = &c.viscous[index(s, 0, c.levels)];
-      if (a == vertical)
-        for (int k = 1; k < layers; ++k) viscous[k] = factor * (upper[k] - lower[k - 1]);
-      else
-        for (int k = 0; k < layers; ++k) viscous[k] = factor * (upper[k] - lower[k]);
-      if (a == vertical && !closed_) viscous[layers] = 0.0;  // ∇·u goes on unchanged past the outlet
+    const auto& owner = c.owner[as_index(s)];
+    const double *lower = &dilatation_[index(owner[0], 0, layers)], *upper = &dilatation_[index(owner[1], 0, layers)];
+    double* viscous = &c.viscous[index(s, 0, c.levels)];
+    if (a == vertical) {
+#pragma omp simd
+      for (int k = 1; k < layers; ++k) viscous[k] = factor * (upper[k] - lower[k - 1]);
+      if (!closed_) viscous[layers] = 0.0;  // ∇·u goes on unchanged past the outlet
+    } else {
+#pragma omp simd
+      for (int k = 0; k < layers; ++k) viscous[k] = factor * (upper[k] - lower[k]);
     }
-  }
+  });
 }
 
-void LiquidSolver::assemble(std::size_t a, const Exchange& exchange) {
+void LiquidSolver::assemble(std::size_t a, Range own, const Exchange& exchange, Scratch& scratch) {
   switch (convection_) {
     case ConvectionScheme::upwind:
-      return assemble<ConvectionScheme::upwind>(a, exchange);
+      return assemble<ConvectionScheme::upwind>(a, own, exchange, scratch);
     case ConvectionScheme::central:
-      return assemble<ConvectionScheme::central>(a, exchange);
+      return assemble<ConvectionScheme::central>(a, own, exchange, scratch);
     case ConvectionScheme::quick:
-      return assemble<ConvectionScheme::quick>(a, exchange);
+      return assemble<ConvectionScheme::quick>(a, own, exchange, scratch);
     case ConvectionScheme::muscl:
-      return assemble<ConvectionScheme::muscl>(a, exchange);
+      return assemble<ConvectionScheme::muscl>(a, own, exchange, scratch);
   }
 }
 
@@ -525,41 +553,46 @@ void LiquidSolver::assemble(std::size_t a, const Exchange& exchange) {
 /// momentum where q is still that of the last iteration.
 ///
 /// The loops over the height are marked `simd`: the compiler cannot know that the many fields do not overlap.
+///
+/// A link between section nodes of two threads is computed by both: each keeps what concerns its own.
 template <ConvectionScheme scheme>
-void LiquidSolver::assemble(std::size_t a, const Exchange& exchange) {
+void LiquidSolver::assemble(std::size_t a, Range own, const Exchange& exchange, Scratch& scratch) {
   Component& c = component_[a];
   const int levels = c.levels;
   const double density = density_, viscosity = viscosity_;
   const double* velocity = c.velocity.data();
+  const std::size_t own_nodes = index(own.first, 0, levels), end_of_own_nodes = index(own.last, 0, levels);
   {
-    const std::size_t nodes = c.velocity.size();
     const double *inertia = c.old_inertia.data(), *coefficient = exchange.coefficient[a].data(),
                  *source = exchange.source[a].data(), *previous = c.previous.data(), *stressed = c.stressed.data(),
                  *viscous = c.viscous.data(), *gradient = c.pressure_gradient.data();
     double *diagonal = c.diagonal.data(), *rhs = c.right_hand_side.data();
 #pragma omp simd
-    for (std::size_t n = 0; n < nodes; ++n) {
+    for (std::size_t n = own_nodes; n < end_of_own_nodes; ++n) {
       diagonal[n] = inertia[n] + coefficient[n];
       rhs[n] = inertia[n] * previous[n] + source[n] + stressed[n] * (viscous[n] - gradient[n]);
     }
   }
   const int first = c.first, last = c.last;
   const double *below = c.below.data(), *above = c.above.data();
-  excess_[a].resize(as_index(levels) + 1);
+  for (auto* field : {&scratch.excess, &scratch.right_hand_side, &scratch.diagonal, &scratch.coefficient})
+    field->resize(as_index(levels) + 1);
   for (int s = 0; s < c.sections; ++s) {
     const std::size_t start = index(s, 0, levels);
     const double* u = velocity + start;
     const double* liquid = &c.stressed[start];
-    double* rhs = &c.right_hand_side[start];
-    double* diagonal = &c.diagonal[start];
+    double* rhs = own.has(s) ? &c.right_hand_side[start] : scratch.right_hand_side.data();
+    double* diagonal = own.has(s) ? &c.diagonal[start] : scratch.diagonal.data();
     const double stress = viscosity_ * c.own[as_index(s)];
+    if (own.has(s)) {
 #pragma omp simd
-    for (int k = first; k <= last; ++k) diagonal[k] += stress * liquid[k];
+      for (int k = first; k <= last; ++k) diagonal[k] += stress * liquid[k];
+    }
 
     for (std::size_t axis : {std::size_t{0}, std::size_t{1}}) {
       const std::size_t minus = 2 * axis, plus = minus + 1;
       const int t = c.neighbour[as_index(s)][plus];
-      if (t < 0) continue;
+      if (t < 0 || !(own.has(s) || own.has(t))) continue;
       // Beyond the two nodes of the link: the next node, or the wall's stand-in for it.
       const int before = c.neighbour[as_index(s)][minus], after = c.neighbour[as_index(t)][plus];
       const std::size_t start_t = index(t, 0, levels);
@@ -572,8 +605,10 @@ void LiquidSolver::assemble(std::size_t a, const Exchange& exchange) {
       const double stress_t = viscosity_ * c.lateral[minus][as_index(t)];
       const double* liquid_t = &c.stressed[start_t];
       const double* flux = &c.flux[axis][start];
-      double *to_plus = &c.coefficient[plus][start], *to_minus = &c.coefficient[minus][start_t];
-      double *rhs_t = &c.right_hand_side[start_t], *diagonal_t = &c.diagonal[start_t];
+      double* to_plus = own.has(s) ? &c.coefficient[plus][start] : scratch.coefficient.data();
+      double* to_minus = own.has(t) ? &c.coefficient[minus][start_t] : scratch.coefficient.data();
+      double* rhs_t = own.has(t) ? &c.right_hand_side[start_t] : scratch.right_hand_side.data();
+      double* diagonal_t = own.has(t) ? &c.diagonal[start_t] : scratch.diagonal.data();
 #pragma omp simd
       for (int k = first; k <= last; ++k) {
         const double flow = density * flux[k], onwards = std::max(flow, 0.0), back = onwards - flow;
@@ -590,6 +625,7 @@ void LiquidSolver::assemble(std::size_t a, const Exchange& exchange) {
       }
     }
 
+    if (!own.has(s)) continue;
     const double* flux = &c.flux[2][start];
     double *to_below = &c.coefficient[4][start], *to_above = &c.coefficient[5][start];
 #pragma omp simd
@@ -599,7 +635,7 @@ void LiquidSolver::assemble(std::size_t a, const Exchange& exchange) {
       to_above[k - 1] = onwards - flow + viscosity * above[k - 1] * liquid[k - 1];
     }
     if constexpr (scheme != ConvectionScheme::upwind) {
-      double* excess = excess_[a].data();
+      double* excess = scratch.excess.data();
       const auto link = [=](int k, double below_lower, double above_upper) {
         excess[k] = carried_excess<scheme>(density * flux[k], below_lower, u[k - 1], u[k], above_upper);
       };
@@ -626,44 +662,49 @@ void LiquidSolver::assemble(std::size_t a, const Exchange& exchange) {
     if (a != vertical) rhs[c.last] += from_above * c.end[1][as_index(s)];
   }
   {
-    const std::size_t nodes = c.diagonal.size();
     const double *to_below = c.coefficient[4].data(), *to_above = c.coefficient[5].data();
-    double* diagonal = c.diagonal.data();
+    double *diagonal = c.diagonal.data(), *inverse = c.inverse_diagonal.data();
 #pragma omp simd
-    for (std::size_t n = 0; n < nodes; ++n) diagonal[n] += to_below[n] + to_above[n];
+    for (std::size_t n = own_nodes; n < end_of_own_nodes; ++n) {
+      diagonal[n] += to_below[n] + to_above[n];
+      inverse[n] = diagonal[n] > 0.0 ? 1.0 / diagonal[n] : 0.0;
+    }
   }
 }
 
 /// The momentum equations are strongly diagonal (a step is short against drag and convection): Jacobi sweeps suffice.
 /// Each changes the velocity by about the same small part of what the last one did, so that what is still to come is
 /// known.
-void LiquidSolver::solve_momentum(std::size_t a) {
+///
+/// Called by all threads together. `current` and `next` hold the velocity in turn; after the last sweep it is the
+/// former that `c.velocity` becomes.
+void LiquidSolver::solve_momentum(std::size_t a, Range own, int thread, Scratch& scratch) {
   Component& c = component_[a];
   const int levels = c.levels, first = c.first, last = c.last;
   double last_change = 0.0;
-  for (std::size_t n = 0; n < c.diagonal.size(); ++n)
-    c.inverse_diagonal[n] = c.diagonal[n] > 0.0 ? 1.0 / c.diagonal[n] : 0.0;
-  for (int s = 0; s < c.sections; ++s) {  // what is given stays as it is
+  for (int s = own.first; s < own.last; ++s) {  // what is given stays as it is
     const std::size_t start = index(s, 0, levels), end = start + as_index(levels);
     std::copy(&c.velocity[start], &c.velocity[start] + c.first, &c.next[start]);
     for (std::size_t n = start + as_index(c.last) + 1; n < end; ++n) c.next[n] = c.velocity[n];
   }
-  for (int sweep = 0; sweep < most_sweeps; ++sweep) {
-    std::fill(c.change.begin(), c.change.end(), 0.0);
-    std::fill(c.peak.begin(), c.peak.end(), 0.0);
-    for (int s = 0; s < c.sections; ++s) {
+  double *current = c.velocity.data(), *updated = c.next.data();
+  int sweep = 0;
+  while (sweep < most_sweeps) {
+    scratch.change.assign(as_index(levels), 0.0);
+    scratch.peak.assign(as_index(levels), 0.0);
+    for (int s = own.first; s < own.last; ++s) {
       const std::size_t start = index(s, 0, levels);
       const auto next_to = [&](std::size_t direction) {
         const int t = c.neighbour[as_index(s)][direction];
-        return &c.velocity[index(t >= 0 ? t : s, 0, levels)];  // a missing neighbour has the weight 0
+        return current + index(t >= 0 ? t : s, 0, levels);  // a missing neighbour has the weight 0
       };
-      const double *u = &c.velocity[start], *left = next_to(0), *right = next_to(1), *front = next_to(2),
+      const double *u = current + start, *left = next_to(0), *right = next_to(1), *front = next_to(2),
                    *back = next_to(3);
       const double *to_left = &c.coefficient[0][start], *to_right = &c.coefficient[1][start],
                    *to_front = &c.coefficient[2][start], *to_back = &c.coefficient[3][start],
                    *to_below = &c.coefficient[4][start], *to_above = &c.coefficient[5][start];
       const double *rhs = &c.right_hand_side[start], *inverse = &c.inverse_diagonal[start];
-      double *next = &c.next[start], *moved = c.change.data(), *peak = c.peak.data();
+      double *next = updated + start, *moved = scratch.change.data(), *peak = scratch.peak.data();
       const auto lateral = [=](int k) {
         return rhs[k] + to_left[k] * left[k] + to_right[k] * right[k] + to_front[k] * front[k] + to_back[k] * back[k];
       };
@@ -682,14 +723,29 @@ void LiquidSolver::solve_momentum(std::size_t a) {
       for (int k = first + 1; k < last; ++k) update(k, lateral(k) + to_below[k] * u[k - 1] + to_above[k] * u[k + 1]);
       update(c.last, lateral(c.last) + to_below[c.last] * u[c.last - 1]);
     }
-    std::swap(c.velocity, c.next);
-    const double change = *std::max_element(c.change.begin(), c.change.end());
-    c.largest = *std::max_element(c.peak.begin(), c.peak.end());
-    const double ratio = sweep > 0 && last_change > 0.0 ? change / last_change : 1.0;
-    c.unsettled = ratio < 0.5 ? change * ratio / (1.0 - ratio) : change;
-    if (c.unsettled <= momentum_tolerance * (c.largest + 1e-6)) break;
+    std::swap(current, updated);
+    // Told to the others; those of the next sweep go to the other place, so that nobody overwrites what is being read.
+    auto& told = c.told[as_index(sweep % 2)];
+    told[as_index(thread)] = {*std::max_element(scratch.change.begin(), scratch.change.end()),
+                              *std::max_element(scratch.peak.begin(), scratch.peak.end())};
+    ++sweep;
+#pragma omp barrier
+    double change = 0.0, largest = 0.0;
+    for (const auto& [its_change, its_largest] : told) {
+      change = std::max(change, its_change);
+      largest = std::max(largest, its_largest);
+    }
+    const double ratio = sweep > 1 && last_change > 0.0 ? change / last_change : 1.0;
+    const double unsettled = ratio < 0.5 ? change * ratio / (1.0 - ratio) : change;
+    const bool settled = unsettled <= momentum_tolerance * (largest + 1e-6);
+    if (settled || sweep == most_sweeps) {
+      if (thread == 0) c.unsettled = unsettled, c.largest = largest;
+      break;
+    }
     last_change = change;
   }
+  if (sweep % 2 == 1 && thread == 0) std::swap(c.velocity, c.next);
+#pragma omp barrier
 }
 
 void LiquidSolver::check_momentum() const {
@@ -705,16 +761,16 @@ void LiquidSolver::check_momentum() const {
 }
 
 /// Adds μ ∇²u of the present velocity to the part that start_viscous has left: ∇·τ on the nodes.
-void LiquidSolver::finish_viscous(std::size_t a) {
+void LiquidSolver::finish_viscous(std::size_t a, Range own) {
   Component& c = component_[a];
   const int levels = c.levels;
-  for (int s = 0; s < c.sections; ++s) {
+  for (int s = own.first; s < own.last; ++s) {
     const std::size_t start = index(s, 0, levels);
     const double* u = &c.velocity[start];
     double* viscous = &c.viscous[start];
     std::array<const double*, 4> next_to{u, u, u, u};
     std::array<double, 4> weight{};
-    const double own = viscosity_ * c.own[as_index(s)];
+    const double own_weight = viscosity_ * c.own[as_index(s)];
     for (std::size_t direction = 0; direction < 4; ++direction) {
       const int t = c.neighbour[as_index(s)][direction];
       if (t < 0) continue;
@@ -728,7 +784,7 @@ void LiquidSolver::finish_viscous(std::size_t a) {
 #pragma omp simd
     for (int k = first; k <= last; ++k)
       viscous[k] +=
-          weight[0] * left[k] + weight[1] * right[k] + weight[2] * front[k] + weight[3] * back[k] - own * u[k];
+          weight[0] * left[k] + weight[1] * right[k] + weight[2] * front[k] + weight[3] * back[k] - own_weight * u[k];
     const double bottom = a == vertical ? u[0] : c.end[0][as_index(s)];
     const double top = c.last + 1 < levels ? u[levels - 1] : c.end[1][as_index(s)];
 #pragma omp simd
@@ -744,32 +800,29 @@ void LiquidSolver::finish_viscous(std::size_t a) {
 template <bool correct_velocity>
 void LiquidSolver::update_pressure_gradient() {
   const int layers = grid_.layers();
-#pragma omp parallel for num_threads(std::min(threads_, 3)) schedule(static)
-  for (std::size_t a = 0; a < 3; ++a) {
+  for_sections([this, layers](std::size_t a, int s) {
     Component& c = component_[a];
-    for (int s = 0; s < c.sections; ++s) {
-      const std::size_t start = index(s, 0, c.levels);
-      double* gradient = &c.pressure_gradient[start];
-      double* velocity = &c.velocity[start];
-      const double* mobility = &c.mobility[start];
-      const auto set = [=](int k, double value) {
-        if constexpr (correct_velocity) velocity[k] -= mobility[k] * (value - gradient[k]);
-        gradient[k] = value;
-      };
-      const double *lower = &pressure_[index(c.owner[as_index(s)][0], 0, layers)],
-                   *upper = &pressure_[index(c.owner[as_index(s)][1], 0, layers)];
-      if (a == vertical) {
-        const double per_height = 1.0 / grid_.cell_height();
+    const std::size_t start = index(s, 0, c.levels);
+    double* gradient = &c.pressure_gradient[start];
+    double* velocity = &c.velocity[start];
+    const double* mobility = &c.mobility[start];
+    const auto set = [=](int k, double value) {
+      if constexpr (correct_velocity) velocity[k] -= mobility[k] * (value - gradient[k]);
+      gradient[k] = value;
+    };
+    const double *lower = &pressure_[index(c.owner[as_index(s)][0], 0, layers)],
+                 *upper = &pressure_[index(c.owner[as_index(s)][1], 0, layers)];
+    if (a == vertical) {
+      const double per_height = 1.0 / grid_.cell_height();
 #pragma omp simd
-        for (int k = 1; k < layers; ++k) set(k, (upper[k] - lower[k - 1]) * per_height);
-        if (!closed_) set(layers, -lower[layers - 1] * 2.0 * per_height);  // the outlet's dynamic pressure is 0
-      } else {
-        const double per_width = 1.0 / grid_.spacing(a);
+      for (int k = 1; k < layers; ++k) set(k, (upper[k] - lower[k - 1]) * per_height);
+      if (!closed_) set(layers, -lower[layers - 1] * 2.0 * per_height);  // the outlet's dynamic pressure is 0
+    } else {
+      const double per_width = 1.0 / grid_.spacing(a);
 #pragma omp simd
-        for (int k = 0; k < layers; ++k) set(k, (upper[k] - lower[k]) * per_width);
-      }
+      for (int k = 0; k < layers; ++k) set(k, (upper[k] - lower[k]) * per_width);
     }
-  }
+  });
 }
 
 /// Pressure correction: u = u* − m ∇δp with m = liquid volume over (inertia + drag) per node, so that continuity
@@ -779,42 +832,36 @@ double LiquidSolver::correct_pressure(const Exchange& exchange) {
   const Stopwatch stopwatch(cost_.pressure_seconds);
   const int layers = grid_.layers();
   update_flows();
-#pragma omp parallel for num_threads(std::min(threads_, 3)) schedule(static)
-  for (std::size_t a = 0; a < 3; ++a) {
+  for_sections([&](std::size_t a, int s) {
     Component& c = component_[a];
-    for (int s = 0; s < c.sections; ++s) {
-      const double area = face_area(a, s);
-      const std::size_t start = index(s, 0, c.levels);
-      const double *stressed = &c.stressed[start], *inertia = &c.inertia[start],
-                   *drag = &exchange.coefficient[a][start], *fraction = &c.fraction[start];
-      double *mobility = &c.mobility[start], *coefficient = &pressure_equation_.coefficient[a][start];
-      const double per_spacing = 1.0 / spacing(a, 1);
+    const double area = face_area(a, s);
+    const std::size_t start = index(s, 0, c.levels);
+    const double *stressed = &c.stressed[start], *inertia = &c.inertia[start], *drag = &exchange.coefficient[a][start],
+                 *fraction = &c.fraction[start];
+    double *mobility = &c.mobility[start], *coefficient = &pressure_equation_.coefficient[a][start];
+    const double per_spacing = 1.0 / spacing(a, 1);
+    const int first = c.first, last = c.last;
 #pragma omp simd
-      for (int k = c.first; k <= c.last; ++k) {
-        mobility[k] = stressed[k] / (inertia[k] + drag[k]);
-        coefficient[k] = fraction[k] * area * mobility[k] * per_spacing;
-      }
-      if (a == vertical && c.last == layers)  // the outlet is half a cell away
-        coefficient[layers] = fraction[layers] * area * mobility[layers] / spacing(a, layers);
+    for (int k = first; k <= last; ++k) {
+      mobility[k] = stressed[k] / (inertia[k] + drag[k]);
+      coefficient[k] = fraction[k] * area * mobility[k] * per_spacing;
     }
-  }
-  for (std::size_t i = 0; i < grid_.size(); ++i) imbalance_[i] = -volume_change_[i];
-  for (std::size_t a = 0; a < 3; ++a) {
-    const Component& c = component_[a];
-    for (int s = 0; s < c.sections; ++s) {
-      const auto& owner = c.owner[as_index(s)];
-      const double* flow = &c.flow[index(s, 0, c.levels)];
-      double *lower = &imbalance_[index(owner[0], 0, layers)], *upper = &imbalance_[index(owner[1], 0, layers)];
-      if (a == vertical) {
-#pragma omp simd
-        for (int k = 0; k < layers; ++k) lower[k] += flow[k] - flow[k + 1];
-      } else {
-#pragma omp simd
-        for (int k = 0; k < layers; ++k) lower[k] -= flow[k];
-#pragma omp simd
-        for (int k = 0; k < layers; ++k) upper[k] += flow[k];
+    if (a == vertical && last == layers)  // the outlet is half a cell away
+      coefficient[layers] = fraction[layers] * area * mobility[layers] / spacing(a, layers);
+  });
+#pragma omp parallel for num_threads(threads_) schedule(static)
+  for (int cell = 0; cell < grid_.cells(); ++cell) {
+    const double *change = &volume_change_[index(cell, 0, layers)],
+                 *up = &component_[vertical].flow[index(cell, 0, layers + 1)];
+    double* imbalance = &imbalance_[index(cell, 0, layers)];
+    for (int k = 0; k < layers; ++k) imbalance[k] = up[k] - up[k + 1] - change[k];
+    for (std::size_t axis : {std::size_t{0}, std::size_t{1}})
+      for (std::size_t side : {std::size_t{0}, std::size_t{1}}) {
+        const int face = grid_.face_of(cell, axis, side);
+        if (face < 0) continue;
+        const double *flow = &component_[axis].flow[index(face, 0, layers)], sign = side == 0 ? 1.0 : -1.0;
+        for (int k = 0; k < layers; ++k) imbalance[k] += sign * flow[k];
       }
-    }
   }
   const double inlet_flow = std::max(std::abs(superficial_velocity_), 1e-3) * grid_.section_area();
   double largest = 0.0;
@@ -850,10 +897,11 @@ void LiquidSolver::balance_column(const Exchange& exchange) {
     c.flow[n] = c.flow[n - 1] - volume_change_[n - 1];
     c.velocity[n] = c.flow[n] / (c.fraction[n] * area);
   }
-  link_fluxes(vertical);
+  constexpr Range all{0, 1};
+  link_fluxes(vertical, all);
   start_viscous();
   std::fill(c.pressure_gradient.begin(), c.pressure_gradient.end(), 0.0);
-  assemble(vertical, exchange);
+  assemble(vertical, all, exchange, scratch_.front());
   double above = 0.0;
   for (int k = layers; k > 0; --k) {
     const std::size_t n = as_index(k);
@@ -863,7 +911,7 @@ void LiquidSolver::balance_column(const Exchange& exchange) {
     c.pressure_gradient[n] = force / c.stressed[n];
     pressure_[n - 1] = (k < layers ? pressure_[n] : 0.0) - c.pressure_gradient[n] * spacing(vertical, k);
   }
-  finish_viscous(vertical);
+  finish_viscous(vertical, all);
   record_vertical_forces(outflow());
 }
 
@@ -927,14 +975,15 @@ void LiquidSolver::advance(double time_step, const std::vector<double>& before, 
       const Stopwatch stopwatch(cost_.momentum_seconds);
       settled_flow_ ? start_flows() : update_flows();
       start_viscous();
-#pragma omp parallel for num_threads(std::min(threads_, 3)) schedule(dynamic, 1)
-      for (std::size_t a = 0; a < 3; ++a) {
-        link_fluxes(a);
-        if (a == vertical && settled_flow_) add_net_outflow();
-        assemble(a, exchange);
-        solve_momentum(a);
-        finish_viscous(a);
-      }
+      for_ranges([&](std::size_t a, Range own, int thread) {
+        Scratch& scratch = scratch_[as_index(thread)];
+        link_fluxes(a, own);
+#pragma omp barrier
+        if (a == vertical && settled_flow_) add_net_outflow(own);
+        assemble(a, own, exchange, scratch);
+        solve_momentum(a, own, thread, scratch);
+        finish_viscous(a, own);
+      });
       check_momentum();
       leaving = outflow();
     }

@@ -138,12 +138,32 @@ class LiquidSolver {
     /// The momentum equations: weights of the neighbours towards −x, +x, −y, +y, −z, +z [kg/s].
     std::array<std::vector<double>, 6> coefficient;
     std::vector<double> inertia, old_inertia, diagonal, inverse_diagonal, right_hand_side, next, mobility;
-    std::vector<double> change, peak;       ///< scratch of the momentum sweeps, per level
+    /// What each thread tells of a sweep, of two sweeps in turn: largest change, largest velocity [m/s].
+    std::array<std::vector<std::array<double, 2>>, 2> told;
     double unsettled = 0.0, largest = 0.0;  ///< change that the sweeps leave to come, largest velocity [m/s]
   };
 
+  /// Section nodes of a component.
+  struct Range {
+    int first, last;
+    [[nodiscard]] bool has(int s) const { return s >= first && s < last; }
+  };
+  /// Of one thread, per level: what convection carries beyond upwind; largest change and velocity of a sweep; and where
+  /// goes what a link gives to a node of another thread.
+  struct Scratch {
+    std::vector<double> excess, change, peak, right_hand_side, diagonal, coefficient;
+  };
+
+  /// Calls work(component, its section nodes that are the thread's, thread) on every thread; the threads share each
+  /// component in the same way always, so that what one of them has written is in its own cache.
+  template <class Work>
+  void for_ranges(Work work) const;
+  /// The same, section node by section node: work(component, section node).
+  template <class Work>
+  void for_sections(Work work) const;
   template <class Value>
   void gather_values(std::size_t a, const Value& value, std::vector<double>& cells) const;
+  void scatter(std::size_t component, Range own, const std::vector<double>& cells, std::vector<double>& nodes) const;
   void build_component(std::size_t a);
   void build_stencil(std::size_t a);
   void start_step(double time_step, const std::vector<double>& before, const std::vector<double>& now);
@@ -152,17 +172,17 @@ class LiquidSolver {
   [[nodiscard]] double spacing(std::size_t a, int level) const;
   void start_flows();
   void update_flows();
-  void add_net_outflow();
-  void link_fluxes(std::size_t a);
+  void add_net_outflow(Range own);
+  void link_fluxes(std::size_t a, Range own);
   void start_viscous();
   template <ConvectionScheme scheme>
-  void assemble(std::size_t a, const Exchange& exchange);
-  void assemble(std::size_t a, const Exchange& exchange);
-  void solve_momentum(std::size_t a);
+  void assemble(std::size_t a, Range own, const Exchange& exchange, Scratch& scratch);
+  void assemble(std::size_t a, Range own, const Exchange& exchange, Scratch& scratch);
+  void solve_momentum(std::size_t a, Range own, int thread, Scratch& scratch);
   void check_momentum() const;
   void record_vertical_forces(double outflow);
   [[nodiscard]] double outflow() const;
-  void finish_viscous(std::size_t a);
+  void finish_viscous(std::size_t a, Range own);
   template <bool correct_velocity>
   void update_pressure_gradient();
   double correct_pressure(const Exchange& exchange);
@@ -188,8 +208,7 @@ class LiquidSolver {
   bool nodes_hold_last_volume_ = false;  ///< Component::liquid_now is last_volume_, scattered
   PressureEquation pressure_equation_;
   std::vector<double> imbalance_, correction_;
-  std::array<std::vector<double>, 3>
-      excess_;  ///< scratch of assemble: what convection carries beyond upwind, per level
+  std::vector<Scratch> scratch_;  ///< per thread
   double continuity_error_ = 0.0;
   VerticalForces vertical_forces_;
   Cost cost_;
