@@ -128,7 +128,8 @@ Picture draw_ratios(const ComparedDragLaw& compared, const fs::path& folder) {
       "are a factor of two and beyond."};
 }
 
-/// A plot element per law: `columns` of one CSV file, the literature grey behind the compared laws.
+/// A plot element per law, the literature grey behind the compared laws: columns of one CSV file from `first_column`
+/// on. Under "set datafile missing" its lines break where there is no value.
 std::string lines_of(const std::string& id, std::size_t first_column, std::size_t behind,
                      const std::vector<ComparedDragLaw>& laws, bool titles) {
   std::string commands;
@@ -159,8 +160,9 @@ Picture draw_lines(const std::vector<ComparedDragLaw>& laws, const fs::path& fol
   }
   write_csv(table, folder);
   std::string commands =
-      "set multiplot layout 1,3\nset logscale xy\nset format x '10^{%T}'\nset xtics 100\nset format y '10^{%T}'\nset "
-      "xlabel 'Re [-]'\nset xrange [0.01:10000]\nset yrange [0.9:*]\nset lmargin 7\nset tmargin 5\n";
+      "set datafile missing\nset multiplot layout 1,3\nset logscale xy\nset format x '10^{%T}'\nset xtics 100\nset "
+      "format y '10^{%T}'\nset xlabel 'Re [-]'\nset xrange [0.01:10000]\nset yrange [*<0.9:*]\nset lmargin 7\nset "
+      "tmargin 5\n";
   for (std::size_t k = 0; k < voidages.size(); ++k) {
     commands += fmt::format(
         "set ylabel '{}'\nset label 1 'voidage {}' at graph 0.05,0.93\n{}", k == 0 ? "F [-]" : "", voidages[k],
@@ -190,8 +192,9 @@ Picture draw_expansion(const std::vector<ComparedDragLaw>& laws, const fs::path&
   write_csv(paper, folder);
   draw_figure(
       id,
-      "set key tmargin left Left reverse maxrows 3 font ',12'\nset logscale xy\nset xrange [0.38:1]\nset yrange "
-      "[0.02:1]\nset xtics (0.4, 0.5, 0.6, 0.7, 0.8, 0.9, 1)\nset xlabel 'voidage [-]'\nset ylabel 'superficial "
+      "set datafile missing\nset key tmargin left Left reverse maxrows 3 font ',12'\nset logscale xy\nset xrange "
+      "[0.38:1]\nset yrange [*<0.02:1<*]\nset xtics (0.4, 0.5, 0.6, 0.7, 0.8, 0.9, 1)\nset xlabel 'voidage [-]'\nset "
+      "ylabel 'superficial "
       "velocity [m/s]'\nplot " +
           lines_of(id, 2, behind.size(), laws, true) +
           fmt::format(", '{}_paper.csv' skip 1 using 1:2 with points linestyle 1 dashtype 1 title 'paper, Fig. "
@@ -241,8 +244,8 @@ Picture draw_classification(const std::vector<ComparedDragLaw>& laws, const std:
   }
   draw_figure(
       id,
-      "set key tmargin left Left reverse maxrows 4 font ',12'\nset xrange [0.04:0.25]\nset yrange "
-      "[0:0.6]\nset xlabel 'superficial velocity U_L [m/s]'\nset ylabel 'classification velocity V_2 "
+      "set datafile missing\nset key tmargin left Left reverse maxrows 4 font ',12'\nset xrange [0.04:0.25]\nset "
+      "yrange [0:0.6<*]\nset xlabel 'superficial velocity U_L [m/s]'\nset ylabel 'classification velocity V_2 "
       "[m/s]'\nplot " +
           lines_of(id, 2, behind.size(), laws, true) +
           fmt::format(", '{}_paper.csv' skip 1 using 1:2 with points linestyle 1 dashtype 1 title 'paper, Table "
