@@ -10,6 +10,7 @@
 #include <fstream>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -266,6 +267,26 @@ TEST_F(CompareCommand, WritesTheReportOfTheCorrelations) {
   EXPECT_EQ(answer.at("candidates").size(), 2u);
   EXPECT_GT(answer.at("claims").size(), 10u);
   EXPECT_EQ(answer.at("laws").at(1).at("ratio_to").at("di-felice-1994").at("median"), 1.0);
+}
+
+// The steel sphere falls at Re of thousands: inside the range of Di Felice's law, outside that of Tenneti's.
+TEST_F(CompareCommand, DrawsALawOutsideItsRangeApart) {
+  run({"--drag", "di-felice-1994,tenneti-2011", "--tier", "correlation"});
+  std::ifstream stream(out_ / "compare" / "drag" / "figures" / "classification.csv");
+  std::string line;
+  std::getline(stream, line);
+  ASSERT_TRUE(line.ends_with(
+      "di-felice-1994 in its range V_2 [m/s],di-felice-1994 outside its range V_2 [m/s],tenneti-2011 in its "
+      "range V_2 [m/s],tenneti-2011 outside its range V_2 [m/s]"))
+      << line;
+  for (std::string last; std::getline(stream, last);) line = last;
+  EXPECT_EQ(line.substr(0, 6), "0.245,");  // [m/s]
+  std::vector<double> values;
+  std::istringstream cells(line);
+  for (std::string cell; std::getline(cells, cell, ',');) values.push_back(std::stod(cell));
+  const std::size_t end = values.size();
+  EXPECT_TRUE(std::isfinite(values[end - 4]) && std::isnan(values[end - 3])) << line;
+  EXPECT_TRUE(std::isnan(values[end - 2]) && std::isfinite(values[end - 1])) << line;
 }
 
 TEST_F(CompareCommand, WritesTheReportOfTwoBodies) {
