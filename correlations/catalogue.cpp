@@ -90,10 +90,15 @@ constexpr auto evaluate_expansion_exponent = [](const auto& law, const LawArgume
                    conditions.diameter_ratio};
 };
 
+template <class Law>
+concept HasTransition = requires(Law law) {
+  law.transition;
+};
+
 // The law itself, with the assumed transition function where it has one.
 template <class Law>
 Law with_transition(Law law, double transition) {
-  if constexpr (requires { law.transition; }) law.transition = transition;
+  if constexpr (HasTransition<Law>) law.transition = transition;
   return law;
 }
 
@@ -155,7 +160,7 @@ constexpr auto evaluate_restitution = [](const auto& law, const LawArguments& a)
 template <class Laws, class Evaluate>
 void add(std::vector<CatalogueEntry>& entries, Evaluate) {
   for_each_law<Laws>([&]<class Law>(const Law&) {
-    entries.push_back({Law::info, [](const LawArguments& a) { return Evaluate{}(Law{}, a); }});
+    entries.push_back({Law::info, [](const LawArguments& a) { return Evaluate{}(Law{}, a); }, HasTransition<Law>});
   });
 }
 
@@ -208,10 +213,11 @@ std::vector<std::string_view> argument_names(LawKind kind) {
 
 std::span<const Argument> all_arguments() { return arguments; }
 
-std::vector<const Argument*> arguments_of(LawKind kind) {
+std::vector<const Argument*> arguments_of(const CatalogueEntry& law) {
   std::vector<const Argument*> found;
-  for (const std::string_view name : argument_names(kind)) {
-    found.push_back(std::ranges::find(arguments, name, &Argument::name));
+  for (const std::string_view name : argument_names(law.info.kind)) {
+    if (name != "transition" || law.takes_transition)
+      found.push_back(std::ranges::find(arguments, name, &Argument::name));
   }
   return found;
 }
@@ -276,7 +282,7 @@ const Sweep& sweep_of(LawKind kind) {
                                               a.diameter = x;
                                               return a;
                                             },
-                                            {"n [-]"},
+                                            {"n [-]", false, {2.0, 6.0}},  // one variant has a pole
                                             "expansion_exponent"};
   static constexpr Sweep classification{
       {"U_L [m/s]"},
@@ -365,8 +371,8 @@ const CatalogueEntry& find_law(std::string_view name) {
 }
 
 bool in_range(const LawInfo& info, const LawArguments& a, const LawAnswer& evaluation) {
-  const std::vector<const Argument*> taken = arguments_of(info.kind);
-  const bool takes_voidage = std::ranges::find(taken, "voidage", &Argument::name) != taken.end();
+  const std::vector<std::string_view> taken = argument_names(info.kind);
+  const bool takes_voidage = std::ranges::find(taken, "voidage") != taken.end();
   return (!takes_voidage || info.voidage.contains(a.voidage)) &&
          (std::isnan(evaluation.reynolds) || info.reynolds.contains(evaluation.reynolds)) &&
          (std::isnan(evaluation.size_ratio) || info.size_ratio.contains(evaluation.size_ratio)) &&

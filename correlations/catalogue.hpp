@@ -56,9 +56,6 @@ struct Argument {
 /// Every argument, in the order of LawArguments.
 std::span<const Argument> all_arguments();
 
-/// The arguments that laws of a kind take.
-std::vector<const Argument*> arguments_of(LawKind kind);
-
 /// A named number that a law gives.
 struct Quantity {
   std::string_view name;
@@ -83,7 +80,11 @@ struct LawAnswer {
 struct CatalogueEntry {
   LawInfo info;
   LawAnswer (*evaluate)(const LawArguments& arguments);
+  bool takes_transition;  ///< whether f of Ružička (2006) is a part of it
 };
+
+/// The arguments that a law takes.
+std::vector<const Argument*> arguments_of(const CatalogueEntry& law);
 
 /// Every law of the suite, kind by kind.
 const std::vector<CatalogueEntry>& catalogue();
@@ -99,6 +100,7 @@ std::vector<const CatalogueEntry*> variants_of(std::string_view name);
 struct Axis {
   std::string_view title;  ///< with its unit in square brackets
   bool logarithmic = false;
+  Range frame{};  ///< part of the axis that is drawn; with an open end, as much as the laws need
 };
 
 /// How a family of laws is drawn: one quantity of its answers along a line through the arguments.

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <fstream>
-#include <map>
 #include <nlohmann/json.hpp>
 #include <sstream>
 #include <stdexcept>
@@ -136,7 +135,6 @@ Section claims_section(const std::vector<Candidate>& candidates, const std::vect
   std::vector<std::string> headings{"Claim", "Paper"};
   for (const Candidate& candidate : candidates) headings.push_back(escape_html(candidate.name));
   std::vector<std::vector<std::string>> rows;
-  std::vector<std::map<Change, std::size_t>> counts(candidates.size());
   for (std::size_t k = 0; k < claims.size(); ++k) {
     if (!answered(candidates, k)) continue;
     const std::string unit = claims[k].unit == "-" ? "" : " " + escape_html(claims[k].unit);
@@ -145,7 +143,6 @@ Section claims_section(const std::vector<Candidate>& candidates, const std::vect
         prose_html(claims[k].paper_text()) + unit};
     for (std::size_t i = 0; i < candidates.size(); ++i) {
       const Change changed = change(candidates[0].evaluations[k], candidates[i].evaluations[k]);
-      if (candidates[i].evaluations[k].ours) ++counts[i][changed];
       row.push_back(answer_html(candidates[i].evaluations[k], i == 0 ? nullptr : &changed));
     }
     rows.push_back(std::move(row));
@@ -159,7 +156,8 @@ Section claims_section(const std::vector<Candidate>& candidates, const std::vect
       escape_html(candidates[0].name), rows.size(), claims.size());
   std::vector<std::vector<std::string>> summary;
   for (std::size_t i = 1; i < candidates.size(); ++i) {
-    const auto number = [&](Change which) { return fmt::format("{}", counts[i][which]); };
+    auto counts = count_changes(candidates[0], candidates[i]);
+    const auto number = [&](Change which) { return fmt::format("{}", counts[which]); };
     summary.push_back({escape_html(candidates[i].name), number(Change::better), number(Change::worse),
                        number(Change::same), number(Change::undecided)});
   }

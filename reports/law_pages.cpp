@@ -100,12 +100,12 @@ LawArguments drawn_arguments(const LawInfo& info) {
   return arguments;
 }
 
-std::string held_arguments(const LawInfo& info) {
-  const Sweep& way = sweep_of(info.kind);
-  const LawArguments arguments = drawn_arguments(info);
+std::string held_arguments(const CatalogueEntry& law) {
+  const Sweep& way = sweep_of(law.info.kind);
+  const LawArguments arguments = drawn_arguments(law.info);
   const LawArguments moved = way.at(arguments, 0.5 * (way.lower + way.upper));
   std::string text;
-  for (const Argument* argument : arguments_of(info.kind)) {
+  for (const Argument* argument : arguments_of(law)) {
     if (arguments.*(argument->value) != moved.*(argument->value)) continue;
     const std::string unit = argument->unit == "1" ? "" : fmt::format(" {}", escape(argument->unit));
     text += fmt::format("{}{} = {}{}", text.empty() ? "" : ", ", escape(argument->symbol),
@@ -114,13 +114,13 @@ std::string held_arguments(const LawInfo& info) {
   return text;
 }
 
-std::string picture(const LawInfo& info) {
+std::string picture(const CatalogueEntry& law) {
   return fmt::format(
       "<article class=\"card figure wide\"><div class=\"picture\"><a href=\"{0}.svg\"><img src=\"{0}.svg\" "
       "alt=\"{0} against {1}\" width=\"620\" height=\"460\" loading=\"lazy\" /></a></div><div class=\"words\"><p>At "
       "{2}.</p><div class=\"files\"><a href=\"{0}.svg\">svg</a><a href=\"{0}.csv\">csv</a><a href=\"{0}.gp\">gp</a>"
       "</div></div></article>\n",
-      escape(info.name), escape(sweep_of(info.kind).x.title), held_arguments(info));
+      escape(law.info.name), escape(sweep_of(law.info.kind).x.title), held_arguments(law));
 }
 
 std::string facts(const LawInfo& info, const std::string& bibliography) {
@@ -146,11 +146,11 @@ std::string facts(const LawInfo& info, const std::string& bibliography) {
   return html + "</tbody></table></div>\n";
 }
 
-std::string symbols(LawKind kind) {
+std::string symbols(const CatalogueEntry& law) {
   std::string html =
       "<h2>Symbols</h2>\n<div class=\"card scroll\"><table class=\"stack\"><thead><tr><th>Symbol</th><th>Unit</th>"
       "<th>Meaning</th><th>Option</th></tr></thead><tbody>\n";
-  for (const Argument* argument : arguments_of(kind)) {
+  for (const Argument* argument : arguments_of(law)) {
     std::string option(argument->name);
     std::ranges::replace(option, '_', '-');
     html += fmt::format(
@@ -234,7 +234,7 @@ std::string variants_page() {
           found.largest == 0.0 ? "–" : readable_number(found.smallest),
           found.largest == 0.0 ? "–" : readable_number(found.largest));
     }
-    html += "</tbody></table></div>\n" + picture(law.info) + "</section>\n";
+    html += "</tbody></table></div>\n" + picture(law) + "</section>\n";
   }
   html +=
       "<section id=\"families\"><h2>All laws of each kind</h2>\n<p>How far apart the laws themselves are, on the bed "
@@ -264,7 +264,7 @@ void write_law_pages(const fs::path& folder) {
     draw_law(entry, drawn_arguments(info), std::string(info.name), laws, {"svg"});
     write_file(laws / (std::string(info.name) + ".html"),
                page(escape(info.title),
-                    facts(info, bibliography) + picture(info) + symbols(info.kind) + check_table(entry, checks)));
+                    facts(info, bibliography) + picture(entry) + symbols(entry) + check_table(entry, checks)));
   }
   for (const CatalogueEntry* law : first_of_each_kind()) {
     const LawInfo& info = law->info;

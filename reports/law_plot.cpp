@@ -29,11 +29,13 @@ std::vector<const CatalogueEntry*> family(LawKind kind) {
 }
 
 std::string axes(const Sweep& sweep) {
-  // Room for the title of the y axis left of "10000".
-  std::string commands = "set lmargin 12\n";
+  // Room for the title of the y axis left of "10000"; lines break where there is no value.
+  std::string commands = "set lmargin 12\nset datafile missing\n";
   commands += fmt::format("set xlabel {} offset 0,0.6\n", gnuplot_text(std::string(sweep.x.title)));
   commands += fmt::format("set ylabel {}\n", gnuplot_text(std::string(sweep.y.title)));
   commands += fmt::format("set xrange [{}:{}]\n", sweep.lower, sweep.upper);
+  if (std::isfinite(sweep.y.frame.upper))
+    commands += fmt::format("set yrange [{}:{}]\n", sweep.y.frame.lower, sweep.y.frame.upper);
   if (sweep.x.logarithmic) commands += "set logscale x\nset format x '10^{%T}'\n";
   if (sweep.y.logarithmic) commands += "set logscale y\n";
   return commands;

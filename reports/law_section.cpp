@@ -30,7 +30,8 @@ std::string law_section() {
       "are that print different formulas under one name.</p>\n"
       "<div class=\"card scroll\"><table class=\"stack\">\n<thead><tr><th>Law</th><th>Kind</th><th>Formula and "
       "convention</th><th>Re</th><th>Voidage</th><th>Source</th><th>Known by</th></tr></thead>\n<tbody>\n");
-  for (const auto& [info, evaluate] : catalogue()) {
+  for (const CatalogueEntry& entry : catalogue()) {
+    const LawInfo& info = entry.info;
     html += fmt::format(
         "<tr id=\"law-{0}\"><td class=\"lead\"><a href=\"laws/{0}.html\">{1}</a><span class=\"id\">{0}</span></td><td "
         "data-label=\"Kind\">{2}</td>"

@@ -135,11 +135,14 @@ std::string user_law_hash(const fs::path& file) {
 }
 
 drag::DragLawKernels find_drag_law(const std::string& name_or_file) {
-  if (!is_user_law(name_or_file))
-    return drag::with_drag_law(name_or_file, [](auto law) { return drag::kernels_of<decltype(law)>(); });
   std::vector<std::string_view> names;
   for_each_law<drag::DragLaws>([&](const auto& law) { names.push_back(law.info.name); });
-  return law_of_file<drag::DragLawKernels>(name_or_file, {"slfb_drag_law", "SLFB_DRAG_LAW", "drag"}, names);
+  if (is_user_law(name_or_file))
+    return law_of_file<drag::DragLawKernels>(name_or_file, {"slfb_drag_law", "SLFB_DRAG_LAW", "drag"}, names);
+  if (std::ranges::find(names, name_or_file) == names.end())
+    throw std::invalid_argument(fmt::format("unknown drag law \"{}\"; known: {}, or a file that ends with .cpp",
+                                            name_or_file, fmt::join(names, ", ")));
+  return drag::with_drag_law(name_or_file, [](auto law) { return drag::kernels_of<decltype(law)>(); });
 }
 
 dem::ContactLawKernels find_contact_law(const std::string& name_or_file) {
@@ -149,8 +152,8 @@ dem::ContactLawKernels find_contact_law(const std::string& name_or_file) {
     names.push_back(law.info.name);
   }
   if (!is_user_law(name_or_file))
-    throw std::invalid_argument(
-        fmt::format("unknown contact law \"{}\"; known: {}", name_or_file, fmt::join(names, ", ")));
+    throw std::invalid_argument(fmt::format("unknown contact law \"{}\"; known: {}, or a file that ends with .cpp",
+                                            name_or_file, fmt::join(names, ", ")));
   return law_of_file<dem::ContactLawKernels>(name_or_file, {"slfb_contact_law", "SLFB_CONTACT_LAW", "contact"}, names);
 }
 

@@ -144,15 +144,12 @@ void print_row(const std::string& name, const std::vector<std::string>& cells) {
   fmt::print("\n");
 }
 
-void print_candidates(const std::vector<Candidate>& candidates, std::size_t claims) {
-  for (const compare::Change which : {compare::Change::better, compare::Change::worse, compare::Change::same}) {
+void print_candidates(const std::vector<Candidate>& candidates) {
+  using compare::Change;
+  for (const Change which : {Change::better, Change::worse, Change::same, Change::undecided}) {
     std::vector<std::string> cells{"-"};
-    for (std::size_t i = 1; i < candidates.size(); ++i) {
-      std::size_t number = 0;
-      for (std::size_t k = 0; k < claims; ++k)
-        if (compare::change(candidates[0].evaluations[k], candidates[i].evaluations[k]) == which) ++number;
-      cells.push_back(fmt::format("{}", number));
-    }
+    for (std::size_t i = 1; i < candidates.size(); ++i)
+      cells.push_back(fmt::format("{}", compare::count_changes(candidates[0], candidates[i])[which]));
     print_row(fmt::format("claims {}", to_string(which)), cells);
   }
   std::vector<std::string> cells;
@@ -223,7 +220,7 @@ int compare_drag(const Options& options) {
   print_row("U_mf [m/s]", fluidisation);
   print_row("V_2 by force balance at 0.10 m/s [m/s]", falls);
   print_row("one evaluation", nanoseconds);
-  print_candidates(comparison.candidates, claims.size());
+  print_candidates(comparison.candidates);
   for (std::size_t i = 0; i < laws.size(); ++i) print_missing_properties(laws[i].name(), findings[i].properties);
   print_range_notes(notes);
   return finish(outcome, folder);
@@ -284,7 +281,7 @@ int compare_contact(const Options& options) {
       [](const Law&, const Found& found) { return fmt::format("{:.3g}", found.stability_limit); });
   row("one contact",
       [](const Law&, const Found& found) { return fmt::format("{:.1f} ns", 1e9 * found.seconds_per_contact); });
-  if (tier != Tier::correlation) print_candidates(comparison.candidates, claims.size());
+  if (tier != Tier::correlation) print_candidates(comparison.candidates);
   for (std::size_t i = 0; i < laws.size(); ++i) print_missing_properties(laws[i].name, findings[i].properties);
   print_range_notes(notes);
   return finish(outcome, folder);
@@ -321,7 +318,7 @@ int compare_void_fraction(const Options& options) {
            compare::pictures_html(compare::draw_bed_pictures(comparison.candidates, folder / "figures"))}};
   write_report(comparison, tier, claims, runs, sections, "", nullptr, outcome, folder);
   print_row("", options.void_fraction);
-  print_candidates(comparison.candidates, claims.size());
+  print_candidates(comparison.candidates);
   return finish(outcome, folder);
 }
 

@@ -102,25 +102,28 @@ std::vector<std::string_view> required_arguments(LawKind kind) {
 }
 
 // Complains of options that the law needs (to be evaluated, not to be drawn), does not take or cannot stand.
-void check_arguments(const LawInfo& info, const LawArguments& arguments, const CLI::App& command, bool evaluated) {
-  const auto taken = arguments_of(info.kind);
-  const auto required = evaluated ? required_arguments(info.kind) : std::vector<std::string_view>{};
+void check_arguments(const CatalogueEntry& law, const LawArguments& arguments, const CLI::App& command,
+                     bool evaluated) {
+  const std::string_view name = law.info.name;
+  const auto taken = arguments_of(law);
+  const auto required = evaluated ? required_arguments(law.info.kind) : std::vector<std::string_view>{};
   for (const Argument& argument : all_arguments()) {
     const std::string option = option_name(argument);
     if (command.count(option) == 0) {
       if (std::ranges::find(required, argument.name) == required.end()) continue;
-      throw CLI::ValidationError(fmt::format("{} needs {}: {}", info.name, option, argument.meaning));
+      throw CLI::ValidationError(fmt::format("{} needs {}: {}", name, option, argument.meaning));
     }
     if (std::ranges::find(taken, &argument) == taken.end()) {
       std::string names;
       for (const Argument* one : taken) names += " " + option_name(*one);
-      throw CLI::ValidationError(fmt::format("{} does not take {}; it takes{}", info.name, option, names));
+      throw CLI::ValidationError(fmt::format("{} does not take {}; it takes{}", name, option, names));
     }
     const double value = arguments.*argument.value;
     if (!argument.allows(value)) {
-      const std::string allowed = std::isfinite(argument.upper)
-                                      ? fmt::format("0 < {} <= {:g}", argument.name, argument.upper)
-                                      : fmt::format("{} {} 0", argument.name, argument.zero_allowed ? ">=" : ">");
+      const std::string allowed =
+          std::isfinite(argument.upper)
+              ? fmt::format("0 {} {} <= {:g}", argument.zero_allowed ? "<=" : "<", argument.name, argument.upper)
+              : fmt::format("{} {} 0", argument.name, argument.zero_allowed ? ">=" : ">");
       throw CLI::ValidationError(fmt::format("{} is {:g}, but {} is allowed", option, value, allowed));
     }
   }
@@ -161,7 +164,7 @@ void say_where(const PlotFile& plot) {
 void print_csv(const CatalogueEntry& entry, const LawArguments& arguments) {
   const LawAnswer evaluation = entry.evaluate(arguments);
   std::cout << "quantity,value,unit\n";
-  for (const Argument* argument : arguments_of(entry.info.kind)) {
+  for (const Argument* argument : arguments_of(entry)) {
     std::cout << fmt::format("{},{},{}\n", argument->name, arguments.*(argument->value), argument->unit);
   }
   for (const Quantity& quantity : evaluation.quantities) {
@@ -193,7 +196,7 @@ void print_text(const CatalogueEntry& entry, const LawArguments& arguments) {
   }
   line("variants", variants);
   std::cout << "\nfor\n";
-  for (const Argument* argument : arguments_of(info.kind)) {
+  for (const Argument* argument : arguments_of(entry)) {
     std::cout << fmt::format("  {:<30} {:>12.6g} {:<11} {}\n", argument->name, arguments.*(argument->value),
                              argument->unit, argument->meaning);
   }
@@ -221,7 +224,7 @@ json evaluation_as_json(const CatalogueEntry& entry, const LawArguments& argumen
               {"convention", entry.info.convention},
               {"in_range", in_range(entry.info, arguments, evaluation)}};
   json& units = answer["units"] = json::object();
-  for (const Argument* argument : arguments_of(entry.info.kind)) {
+  for (const Argument* argument : arguments_of(entry)) {
     answer[argument->name] = arguments.*(argument->value);
     units[argument->name] = argument->unit;
   }
@@ -306,7 +309,7 @@ void add_law_command(CLI::App& app) {
   command->callback([options, command] {
     try {
       const CatalogueEntry& entry = find_law(options->name);
-      check_arguments(entry.info, options->arguments, *command, options->plot.empty());
+      check_arguments(entry, options->arguments, *command, options->plot.empty());
       if (!options->plot.empty()) {
         const PlotFile plot = plot_file(options->plot);
         draw_law(entry, options->arguments, plot.id, plot.folder, {plot.format});

@@ -29,8 +29,8 @@ Picture draw_classification(const std::vector<Candidate>& candidates, const fs::
   write_csv(paper, folder);
   draw_figure(
       id,
-      "set key tmargin left Left reverse maxrows 4 font ',12'\nset xrange [0.05:0.13]\nset yrange [0:0.3]\nset xlabel "
-      "'superficial velocity U_L [m/s]'\nset ylabel 'classification velocity V_2 [m/s]'\nplot "
+      "set key tmargin left Left reverse maxrows 4 font ',12'\nset xrange [0.05:0.13]\nset yrange [0:0.3<*]\nset "
+      "xlabel 'superficial velocity U_L [m/s]'\nset ylabel 'classification velocity V_2 [m/s]'\nplot "
       "'simulated_classification.csv' skip 1 using 1:2 with points linestyle 1 dashtype 1 title 'paper, Table 2'" +
           simulated_points(id, candidates, "", "classification_velocity", "m/s", folder) + "\n",
       {560, 460}, folder, formats);
@@ -72,7 +72,7 @@ Picture draw_collision_frequency(const std::vector<Candidate>& candidates, const
   draw_figure(
       id,
       "set key tmargin left Left reverse maxrows 4 font ',12'\nset xrange [0.4:1]\nset logscale y\nset yrange "
-      "[0.3:1000]\nset xlabel 'voidage α_L [-]'\nset ylabel 'collision frequency f* [-]'\nplot "
+      "[*<0.3:1000<*]\nset xlabel 'voidage α_L [-]'\nset ylabel 'collision frequency f* [-]'\nplot "
       "'collision_frequency.csv' skip 1 using 1:2 with lines linestyle 1 title 'kinetic theory, Eq. 6 (paper)'" +
           simulated_points(id, candidates, "voidage_centre_of_mass", "dimensionless_collision_frequency", "-", folder) +
           "\n",

@@ -164,6 +164,13 @@ Change change(const Evaluation& first, const Evaluation& other) {
   return nearer > 0.0 ? Change::better : Change::worse;
 }
 
+std::map<Change, std::size_t> count_changes(const Candidate& first, const Candidate& other) {
+  std::map<Change, std::size_t> counts;
+  for (std::size_t k = 0; k < other.evaluations.size(); ++k)
+    if (other.evaluations[k].ours) ++counts[change(first.evaluations[k], other.evaluations[k])];
+  return counts;
+}
+
 bool answered(const std::vector<Candidate>& candidates, std::size_t claim) {
   return std::ranges::any_of(candidates,
                              [&](const Candidate& candidate) { return candidate.evaluations[claim].ours.has_value(); });

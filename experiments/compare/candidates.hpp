@@ -1,5 +1,6 @@
 #pragma once
 
+#include <map>
 #include <string>
 #include <vector>
 
@@ -51,6 +52,9 @@ std::string_view to_string(Change change);
 /// Better: nearer to what the paper states by more than the 95 % intervals of both. A trend, which has no distance,
 /// goes by its verdict.
 Change change(const Evaluation& first, const Evaluation& other);
+
+/// How many of the claims that a candidate answers are better, worse, … beside the first candidate.
+std::map<Change, std::size_t> count_changes(const Candidate& first, const Candidate& other);
 
 /// Whether some candidate answers the claim of that place.
 bool answered(const std::vector<Candidate>& candidates, std::size_t claim);

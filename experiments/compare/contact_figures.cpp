@@ -59,8 +59,9 @@ Picture draw_collision(const std::vector<ComparedContactLaw>& laws, const std::v
   write_csv(table, folder);
   draw_figure(
       id,
-      std::string("set multiplot layout 1,2\nset tmargin 4\nset ylabel 'normal force F_n [N]'\nset xlabel 'time "
-                  "[ms]'\n") +
+      std::string(
+          "set multiplot layout 1,2\nset tmargin 4\nset lmargin 11\nset ylabel 'normal force F_n [N]'\nset xlabel "
+          "'time [ms]'\n") +
           key_above + "plot 0 with lines linestyle 20 notitle, " + lines_of(id, 1, 3, 3, 3, laws, true) +
           "\nunset key\nset xlabel 'overlap over effective radius, δ/R* [%]'\nplot 0 with lines linestyle 20 "
           "notitle, " +
@@ -101,7 +102,7 @@ Picture draw_speeds(const std::vector<ComparedContactLaw>& laws, const std::vect
   draw_figure(
       id,
       std::string(
-          "set multiplot layout 1,3\nset tmargin 4\nset lmargin 8\nset logscale x\nset xrange [0.008:1.25]\nset "
+          "set multiplot layout 1,3\nset tmargin 4\nset lmargin 10\nset logscale x\nset xrange [0.008:1.25]\nset "
           "format x '10^{%T}'\nset xtics 10\nset xlabel 'impact speed [m/s]'\nset ylabel 'restitution e "
           "[-]'\nset yrange [*:*]\n") +
           key_above + "plot " + lines_of(id, 1, 0, 2, 6, laws, true) + at_step +

@@ -26,13 +26,12 @@ Section laws_section(const std::vector<ComparedContactLaw>& laws) {
   std::vector<std::vector<std::string>> rows;
   for (const auto& compared : laws) {
     const dem::ContactLawInfo& info = compared.law.info;
-    rows.push_back(
-        {fmt::format("<code>{}</code><span class=\"id\">{}</span>", escape_html(compared.name),
-                     escape_html(std::string(info.title))),
-         "<code>" + escape_html(std::string(info.equation)) + "</code>",
-         "<code>" + escape_html(fmt::format("{}", fmt::join(compared.overrides, ", "))) + "</code>",
-         std::isinf(info.overlap.upper) ? "any" : fmt::format("at most {:g} R*", info.overlap.upper),
-         is_user_law(compared.argument) ? "file <code>" + escape_html(compared.argument) + "</code>" : "suite"});
+    rows.push_back({fmt::format("<code>{}</code><span class=\"id\">{}</span>", escape_html(compared.name),
+                                escape_html(std::string(info.title))),
+                    "<code>" + escape_html(std::string(info.equation)) + "</code>",
+                    "<code>" + escape_html(fmt::format("{}", fmt::join(compared.overrides, ", "))) + "</code>",
+                    std::isinf(info.overlap.upper) ? "any" : fmt::format("at most {:g} R*", info.overlap.upper),
+                    is_user_law(compared.argument) ? "<code>" + escape_html(compared.argument) + "</code>" : "suite"});
   }
   return {"laws", "The laws", table_html({"Law", "Normal force", "In the scene", "Overlap", "From"}, rows)};
 }

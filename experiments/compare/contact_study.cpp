@@ -199,22 +199,34 @@ PropertyCheck check_step(const ComparedContactLaw& law) {
   return {"The step of the scene changes the restitution by less than 0.02", worst.value < 0.02, worst.place};
 }
 
-/// Overlaps over the effective radius, from a hair to a tenth, and the law at rest there.
-std::vector<std::pair<double, dem::NormalContact>> at_rest(const ComparedContactLaw& law) {
+/// Overlaps over the effective radius, from a hair to a tenth, and the law there at one speed of approach [m/s].
+std::vector<std::pair<double, dem::NormalContact>> normal_forces(const ComparedContactLaw& law, double approach) {
   const Impact impact = bed_impact();
   Contact contact = law.contact;
   contact.time_step = 1e-6 * resolving_step(law, impact);  // laws may look half a step ahead
   std::vector<std::pair<double, dem::NormalContact>> points;
   for (int i = 0; i <= 100; ++i) {
     const double overlap = std::pow(10.0, -6.0 + 0.05 * i);
-    points.emplace_back(overlap, law.law.normal(contact, false, overlap * effective_radius(impact), 0.0,
+    points.emplace_back(overlap, law.law.normal(contact, false, overlap * effective_radius(impact), approach,
                                                 std::sqrt(effective_mass(impact)), effective_radius(impact)));
   }
   return points;
 }
 
+void require_numbers(const ComparedContactLaw& law) {
+  for (const double approach : {0.0, usual_speed, -usual_speed})
+    for (const auto& [overlap, contact] : normal_forces(law, approach))
+      for (const double value :
+           {contact.force, contact.load, contact.stiffness, contact.tangential_stiffness, contact.tangential_damping})
+        if (!std::isfinite(value))
+          throw std::runtime_error(fmt::format(
+              "{}: force {} N, load {} N, stiffness {} N/m at an overlap of {:.2g} R* and an approach of {} "
+              "m/s; needed are finite numbers",
+              law.argument, contact.force, contact.load, contact.stiffness, overlap, approach));
+}
+
 PropertyCheck check_push(const ComparedContactLaw& law) {
-  const auto points = at_rest(law);
+  const auto points = normal_forces(law, 0.0);
   const double start = points.front().second.force / points.back().second.force;
   for (std::size_t i = 0; i < points.size(); ++i) {
     const double before = i == 0 ? 0.0 : points[i - 1].second.force;
@@ -228,7 +240,7 @@ PropertyCheck check_push(const ComparedContactLaw& law) {
 }
 
 PropertyCheck check_slope(const ComparedContactLaw& law) {
-  const auto points = at_rest(law);
+  const auto points = normal_forces(law, 0.0);
   const double radius = effective_radius(bed_impact());
   Extreme worst;
   // Each power law between two neighbours has its slope in the middle.
@@ -395,7 +407,8 @@ RestitutionAtStep restitution_at_step(const ComparedContactLaw& law, const Impac
   return found;
 }
 
-ContactFindings find_out(const ComparedContactLaw& law) {
+ContactFindings find_out(const ComparedContactLaw& law) try {
+  require_numbers(law);
   ContactFindings findings;
   for (const double speed : impact_speeds()) {
     findings.head_on.push_back(resolved(law, bed_impact(speed)));
@@ -409,6 +422,8 @@ ContactFindings find_out(const ComparedContactLaw& law) {
   findings.seconds_per_contact = seconds_per_contact(law);
   findings.properties = check_properties(law);
   return findings;
+} catch (const dem::EngineError& error) {
+  throw std::runtime_error(fmt::format("{}: two bodies that meet: {}", law.argument, error.what()));
 }
 
 std::vector<double> impact_angles() {

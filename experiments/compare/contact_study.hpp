@@ -106,7 +106,7 @@ struct ContactFindings {
   double stability_limit;                  ///< of the pair of the bed [s]
   double seconds_per_contact;              ///< [s]
 };
-/// \throws std::runtime_error where bodies do not part or are lost
+/// \throws std::runtime_error, naming the law, where it gives no numbers or bodies do not part or are lost
 ContactFindings find_out(const ComparedContactLaw& law);
 
 }  // namespace slfb::compare

@@ -128,7 +128,8 @@ Picture draw_ratios(const ComparedDragLaw& compared, const fs::path& folder) {
       "are a factor of two and beyond."};
 }
 
-/// A plot element per law: `columns` of one CSV file, the literature grey behind the compared laws.
+/// A plot element per law, the literature grey behind the compared laws: columns of one CSV file from `first_column`
+/// on. Under "set datafile missing" its lines break where there is no value.
 std::string lines_of(const std::string& id, std::size_t first_column, std::size_t behind,
                      const std::vector<ComparedDragLaw>& laws, bool titles) {
   std::string commands;
@@ -159,8 +160,9 @@ Picture draw_lines(const std::vector<ComparedDragLaw>& laws, const fs::path& fol
   }
   write_csv(table, folder);
   std::string commands =
-      "set multiplot layout 1,3\nset logscale xy\nset format x '10^{%T}'\nset xtics 100\nset format y '10^{%T}'\nset "
-      "xlabel 'Re [-]'\nset xrange [0.01:10000]\nset yrange [0.9:*]\nset lmargin 7\nset tmargin 5\n";
+      "set datafile missing\nset multiplot layout 1,3\nset logscale xy\nset format x '10^{%T}'\nset xtics 100\nset "
+      "format y '10^{%T}'\nset xlabel 'Re [-]'\nset xrange [0.01:10000]\nset yrange [*<0.9:*]\nset lmargin 7\nset "
+      "tmargin 5\n";
   for (std::size_t k = 0; k < voidages.size(); ++k) {
     commands += fmt::format(
         "set ylabel '{}'\nset label 1 'voidage {}' at graph 0.05,0.93\n{}", k == 0 ? "F [-]" : "", voidages[k],
@@ -171,18 +173,57 @@ Picture draw_lines(const std::vector<ComparedDragLaw>& laws, const fs::path& fol
   return {id, "The laws among the literature", "Each law inside its own range, at three voidages."};
 }
 
+/// A value of a homogeneous bed, and whether the law is meant for that bed.
+struct BedValue {
+  double value;
+  bool in_range;
+};
+
+/// A line per law against the first column of the table, filled from `value(law, x)`, and its plot elements, each
+/// followed by a comma: the literature grey, the compared laws dotted outside the ranges that they state.
+template <class Value>
+std::string bed_lines(DataTable& table, const std::string& quantity, const std::vector<ComparedDragLaw>& laws,
+                      Value value) {
+  std::string plot;
+  const auto add = [&](const std::string& heading, const std::string& style, auto line) {
+    table.columns.push_back(heading + " " + quantity);
+    bool any = false;
+    for (auto& row : table.rows) {
+      row.push_back(line(row[0]));
+      any = any || std::isfinite(row.back());
+    }
+    if (any) plot += fmt::format("'{}.csv' skip 1 using 1:{} {}, ", table.name, table.columns.size(), style);
+    return any;
+  };
+  bool titled = false;
+  for (const drag::DragLawKernels& law : literature())
+    titled = add(std::string(law.info.name), grey + std::string(titled ? " notitle" : " title 'literature'"),
+                 [&](double x) { return value(law, x).value; }) ||
+             titled;
+  for (std::size_t i = 0; i < laws.size(); ++i) {
+    const std::string style = fmt::format("with lines linestyle {} ", 2 + i % 4);
+    const std::string title = "title " + gnuplot_text(laws[i].name());
+    const auto part = [&](bool inside) {
+      return [&, inside](double x) {
+        const BedValue found = value(laws[i].law, x);
+        return found.in_range == inside ? found.value : nothing;
+      };
+    };
+    const bool inside = add(laws[i].name() + " in its range", style + title, part(true));
+    add(laws[i].name() + " outside its range", style + "dashtype (2, 3) " + (inside ? "notitle" : title), part(false));
+  }
+  return plot;
+}
+
 Picture draw_expansion(const std::vector<ComparedDragLaw>& laws, const fs::path& folder) {
   const std::string id = "bed_expansion";
-  const auto behind = literature();
   DataTable table{id, {"voidage [-]"}, {}};
   for (int i = 0; i <= 60; ++i)
     table.rows.push_back({paper::packed_voidage() + 0.01 * i * (1.0 - paper::packed_voidage()) / 0.6});
-  const auto add = [&](const drag::DragLawKernels& law) {
-    table.columns.push_back(fmt::format("{} U [m/s]", law.info.name));
-    for (auto& row : table.rows) row.push_back(bed_velocity(law, row[0]));
-  };
-  for (const auto& law : behind) add(law);
-  for (const auto& compared : laws) add(compared.law);
+  const std::string lines = bed_lines(table, "U [m/s]", laws, [](const drag::DragLawKernels& law, double voidage) {
+    const double velocity = bed_velocity(law, voidage);
+    return BedValue{velocity, bed_in_range(law, voidage, velocity)};
+  });
   write_csv(table, folder);
   DataTable paper{id + "_paper", {"voidage [-]", "superficial velocity [m/s]"}, {}};
   for (const VoidagePoint& point : peng_2014().figure13())
@@ -190,31 +231,31 @@ Picture draw_expansion(const std::vector<ComparedDragLaw>& laws, const fs::path&
   write_csv(paper, folder);
   draw_figure(
       id,
-      "set key tmargin left Left reverse maxrows 3 font ',12'\nset logscale xy\nset xrange [0.38:1]\nset yrange "
-      "[0.02:1]\nset xtics (0.4, 0.5, 0.6, 0.7, 0.8, 0.9, 1)\nset xlabel 'voidage [-]'\nset ylabel 'superficial "
+      "set datafile missing\nset key tmargin left Left reverse maxrows 3 font ',12'\nset logscale xy\nset xrange "
+      "[0.38:1]\nset yrange [*<0.02:1<*]\nset xtics (0.4, 0.5, 0.6, 0.7, 0.8, 0.9, 1)\nset xlabel 'voidage [-]'\nset "
+      "ylabel 'superficial "
       "velocity [m/s]'\nplot " +
-          lines_of(id, 2, behind.size(), laws, true) +
-          fmt::format(", '{}_paper.csv' skip 1 using 1:2 with points linestyle 1 dashtype 1 title 'paper, Fig. "
+          lines +
+          fmt::format("'{}_paper.csv' skip 1 using 1:2 with points linestyle 1 dashtype 1 title 'paper, Fig. "
                       "13'\n",
                       id),
       {560, 480}, folder, formats);
-  return {id, "Expansion of the homogeneous bed",
-          "Superficial velocity that carries 5 mm glass in water at each voidage. At the left end it is the minimum "
-          "fluidisation velocity; a straight line in these axes is Richardson and Zaki's law."};
+  return {
+      id, "Expansion of the homogeneous bed",
+      "Superficial velocity that carries 5 mm glass in water at each voidage. At the left end it is the minimum "
+      "fluidisation velocity; a straight line in these axes is Richardson and Zaki's law. Dotted: outside the range "
+      "that the law states."};
 }
 
 Picture draw_classification(const std::vector<ComparedDragLaw>& laws, const std::vector<Candidate>& candidates,
                             const fs::path& folder) {
   const std::string id = "classification";
-  const auto behind = literature();
   DataTable table{id, {"superficial velocity [m/s]"}, {}};
   for (int i = 0; i <= 100; ++i) table.rows.push_back({0.045 + 0.002 * i});
-  const auto add = [&](const drag::DragLawKernels& law) {
-    table.columns.push_back(fmt::format("{} V_2 [m/s]", law.info.name));
-    for (auto& row : table.rows) row.push_back(homogeneous_bed(law, row[0]).classification_velocity);
-  };
-  for (const auto& law : behind) add(law);
-  for (const auto& compared : laws) add(compared.law);
+  const std::string lines = bed_lines(table, "V_2 [m/s]", laws, [](const drag::DragLawKernels& law, double velocity) {
+    const HomogeneousBed bed = homogeneous_bed(law, velocity);
+    return BedValue{bed.classification_velocity, bed.in_range};
+  });
   write_csv(table, folder);
   DataTable paper{id + "_paper", {"superficial velocity [m/s]", "V_2 [m/s]"}, {}};
   for (const Table2Row& row : peng_2014().table2())
@@ -241,18 +282,19 @@ Picture draw_classification(const std::vector<ComparedDragLaw>& laws, const std:
   }
   draw_figure(
       id,
-      "set key tmargin left Left reverse maxrows 4 font ',12'\nset xrange [0.04:0.25]\nset yrange "
-      "[0:0.6]\nset xlabel 'superficial velocity U_L [m/s]'\nset ylabel 'classification velocity V_2 "
+      "set datafile missing\nset key tmargin left Left reverse maxrows 4 font ',12'\nset xrange [0.04:0.25]\nset "
+      "yrange [0:0.6<*]\nset xlabel 'superficial velocity U_L [m/s]'\nset ylabel 'classification velocity V_2 "
       "[m/s]'\nplot " +
-          lines_of(id, 2, behind.size(), laws, true) +
-          fmt::format(", '{}_paper.csv' skip 1 using 1:2 with points linestyle 1 dashtype 1 title 'paper, Table "
+          lines +
+          fmt::format("'{}_paper.csv' skip 1 using 1:2 with points linestyle 1 dashtype 1 title 'paper, Table "
                       "2'{}\n",
                       id, simulated),
       {560, 520}, folder, formats);
   return {id, "Classification velocity",
           "The 6 mm steel sphere in the bed. Lines: weight, pressure gradient of the homogeneous bed and drag balance "
           "(no collisions), which is the upper limit of what a law can give; a line ends where the law has no steady "
-          "bed. Filled symbols: simulated with collisions, means of the drops with 95 % intervals."};
+          "bed and is dotted outside the range that the law states. Filled symbols: simulated with collisions, means "
+          "of the drops with 95 % intervals."};
 }
 
 }  // namespace

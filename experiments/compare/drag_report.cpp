@@ -37,7 +37,7 @@ Section laws_section(const std::vector<ComparedDragLaw>& laws) {
                                 escape_html(std::string(law.info.title))),
                     "<code>" + escape_html(std::string(law.info.equation)) + "</code>", range_text(law.info.reynolds),
                     range_text(law.info.voidage),
-                    is_user_law(argument) ? "file <code>" + escape_html(argument) + "</code>" : "suite"});
+                    is_user_law(argument) ? "<code>" + escape_html(argument) + "</code>" : "suite"});
   return {"laws", "The laws", table_html({"Law", "Formula", "Re", "Voidage", "From"}, rows)};
 }
 
@@ -71,8 +71,15 @@ Section bed_section(const std::vector<ComparedDragLaw>& laws, const std::vector<
     const auto found = values.find(id);
     return found == values.end() ? std::string("–") : readable_number(found->second.value);
   };
+  const auto answer = [](double value, bool in_range) {
+    return readable_number(value) +
+           (std::isnan(value) || in_range ? "" : "<span class=\"id\">outside its range</span>");
+  };
   std::vector<std::vector<std::string>> rows{{"Minimum fluidisation velocity [m/s]", with_paper("umf_crossing")}};
-  for (const auto& finding : findings) rows.back().push_back(readable_number(finding.minimum_fluidisation));
+  for (std::size_t i = 0; i < laws.size(); ++i) {
+    const double velocity = findings[i].minimum_fluidisation;
+    rows.back().push_back(answer(velocity, bed_in_range(laws[i].law, paper::packed_voidage(), velocity)));
+  }
   for (const double velocity : shown_velocities) {
     std::vector<std::string> voidages{fmt::format("Voidage at {:.2f} m/s [-]", velocity),
                                       with_paper(fmt::format("figure13/voidage/{:.2f}", velocity).c_str())};
@@ -80,11 +87,8 @@ Section bed_section(const std::vector<ComparedDragLaw>& laws, const std::vector<
                                    with_paper(fmt::format("table2/classification_velocity/{:.2f}", velocity).c_str())};
     for (const auto& compared : laws) {
       const HomogeneousBed bed = homogeneous_bed(compared.law, velocity);
-      voidages.push_back(readable_number(bed.voidage));
-      falls.push_back(readable_number(bed.classification_velocity) +
-                      (std::isnan(bed.classification_velocity) || bed.in_range
-                           ? ""
-                           : "<span class=\"id\">outside its range</span>"));
+      voidages.push_back(answer(bed.voidage, bed.bed_in_range));
+      falls.push_back(answer(bed.classification_velocity, bed.in_range));
     }
     rows.push_back(std::move(voidages));
     rows.push_back(std::move(falls));

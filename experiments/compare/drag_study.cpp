@@ -255,21 +255,26 @@ double bed_velocity(const drag::DragLawKernels& law, double voidage) {
   }
 }
 
+bool bed_in_range(const drag::DragLawKernels& law, double voidage, double superficial_velocity) {
+  return in_range(law.info, voidage,
+                  reynolds_number(paper::water(), paper::glass(0.005).diameter, superficial_velocity));
+}
+
 HomogeneousBed homogeneous_bed(const drag::DragLawKernels& law, double superficial_velocity) {
   const Sphere glass = paper::glass(0.005), steel = paper::steel(0.006);
   const LiquidProperties water = paper::water();
   try {
     const auto [voidage, regime] =
         fluidisation::bed_voidage(law, glass, water, superficial_velocity, paper::packed_voidage());
-    if (regime != fluidisation::BedRegime::expanded) return {voidage, nothing, false};
+    const bool bed = bed_in_range(law, voidage, superficial_velocity);
+    if (regime != fluidisation::BedRegime::expanded) return {voidage, nothing, bed, false};
     const ForeignSphereInBed state{glass, steel, water, voidage, superficial_velocity};
     const double velocity = classification::force_balance_velocity(law, state);
     const double slip = velocity + state.interstitial_velocity();
-    return {voidage, velocity,
-            in_range(law.info, voidage, reynolds_number(water, glass.diameter, superficial_velocity)) &&
-                in_range(law.info, voidage, reynolds_number(water, steel.diameter, voidage * slip))};
+    return {voidage, velocity, bed,
+            bed && in_range(law.info, voidage, reynolds_number(water, steel.diameter, voidage * slip))};
   } catch (const std::domain_error&) {
-    return {nothing, nothing, false};
+    return {nothing, nothing, false, false};
   }
 }
 
@@ -318,6 +323,10 @@ std::vector<std::string> uses_outside_range(const drag::DragLawKernels& law, con
     bed_spheres.push_back({velocity, reynolds_number(water, glass.diameter, velocity)});
     steel_spheres.push_back({velocity, reynolds_number(water, steel.diameter, bed.voidage * slip)});
   }
+  const double packed = paper::packed_voidage(), fluidised = bed_velocity(law, packed);
+  look("Minimum fluidisation: voidage", law.info.voidage, {{fluidised, packed}});
+  look("Minimum fluidisation: Re of the glass", law.info.reynolds,
+       {{fluidised, reynolds_number(water, glass.diameter, fluidised)}});
   look("Homogeneous bed: voidage", law.info.voidage, voidages);
   look("Homogeneous bed: Re of the glass", law.info.reynolds, bed_spheres);
   look("Homogeneous bed: Re of the steel sphere", law.info.reynolds, steel_spheres);

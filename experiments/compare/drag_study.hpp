@@ -43,11 +43,15 @@ std::vector<PropertyCheck> check_properties(const drag::DragLawKernels& law);
 /// Superficial velocity that carries 5 mm glass in water at that voidage [m/s]; NaN where there is none.
 double bed_velocity(const drag::DragLawKernels& law, double voidage);
 
+/// Whether the law is meant for the spheres of that bed.
+bool bed_in_range(const drag::DragLawKernels& law, double voidage, double superficial_velocity);
+
 /// The homogeneous bed of 5 mm glass in water at a superficial velocity, and the 6 mm steel sphere in it.
 struct HomogeneousBed {
   double voidage;                  ///< [-]
   double classification_velocity;  ///< by force balance, without collisions [m/s]; NaN without a steady bed
-  bool in_range;                   ///< whether the law is meant for the spheres of the bed and for the steel sphere
+  bool bed_in_range;               ///< whether the law is meant for the spheres of the bed
+  bool in_range;                   ///< whether it is meant for them and for the steel sphere
 };
 HomogeneousBed homogeneous_bed(const drag::DragLawKernels& law, double superficial_velocity);
 
@@ -55,8 +59,8 @@ HomogeneousBed homogeneous_bed(const drag::DragLawKernels& law, double superfici
 /// classification velocity at the velocities of Table 2.
 Measurements measure_homogeneous_bed(const drag::DragLawKernels& law);
 
-/// Where a law is used outside the range that it states for itself, one sentence each: in the homogeneous bed at the
-/// velocities of Table 2, and in runs, by the Reynolds numbers and voidages measured in them.
+/// Where a law is used outside the range that it states for itself, one sentence each: at minimum fluidisation, in the
+/// homogeneous bed at the velocities of Table 2, and in runs, by the Reynolds numbers and voidages measured in them.
 std::vector<std::string> uses_outside_range(const drag::DragLawKernels& law, const Measurements& measured);
 
 /// Time of one evaluation in blocks of 256 on one core [s].

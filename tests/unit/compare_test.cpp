@@ -8,7 +8,9 @@
 #include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <map>
 #include <nlohmann/json.hpp>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -159,6 +161,18 @@ TEST(Change, OfATrendGoesByItsVerdict) {
   EXPECT_EQ(change(other, first), Change::worse);
 }
 
+// Of the claims that a candidate answers; one that it does not answer counts nowhere.
+TEST(CountChanges, CountsWhatTheCandidateAnswers) {
+  Candidate first, other;
+  first.evaluations = {answer(2.5, 0.1),          answer(2.2, 0.1), answer(2.5, 0.3),
+                       answer(2.5, std::nan("")), Evaluation{},     answer(2.5, 0.1)};
+  other.evaluations = {answer(2.2, 0.1), answer(1.5, 0.1), answer(2.2, 0.3),
+                       answer(2.2, 0.1), answer(2.2, 0.1), Evaluation{}};
+  EXPECT_EQ(count_changes(first, other),
+            (std::map<Change, std::size_t>{
+                {Change::better, 1}, {Change::worse, 1}, {Change::same, 1}, {Change::undecided, 2}}));
+}
+
 TEST(RunsOf, AreThoseThatTheClaimsAskFor) {
   const auto claims = claims_of_runs({"fig10"});
   EXPECT_TRUE(runs_of(Tier::correlation, claims, {}).empty());
@@ -214,6 +228,7 @@ TEST_F(CompareCommand, ErrorsComeBeforeAnyWork) {
   EXPECT_NE(error_of({"--void-fraction", "centroid,exact"}).find("exact-overlap"), std::string::npos);
   EXPECT_NE(error_of({"--drag", "wen-yu-1966", "--tier", "4d"}).find("4d"), std::string::npos);
   EXPECT_NE(error_of({"--drag", "none.cpp"}).find("none.cpp"), std::string::npos);
+  EXPECT_NE(error_of({"--drag", "none.txt"}).find("or a file that ends with .cpp"), std::string::npos);
   EXPECT_NE(error_of({"--contact", "linear"}).find("nothing to compare"), std::string::npos);
   EXPECT_NE(error_of({"--contact", "linear,hertzian"}).find("known: linear, hertz"), std::string::npos);
   EXPECT_NE(error_of({"--contact", "none.cpp"}).find("none.cpp"), std::string::npos);
@@ -252,6 +267,26 @@ TEST_F(CompareCommand, WritesTheReportOfTheCorrelations) {
   EXPECT_EQ(answer.at("candidates").size(), 2u);
   EXPECT_GT(answer.at("claims").size(), 10u);
   EXPECT_EQ(answer.at("laws").at(1).at("ratio_to").at("di-felice-1994").at("median"), 1.0);
+}
+
+// The steel sphere falls at Re of thousands: inside the range of Di Felice's law, outside that of Tenneti's.
+TEST_F(CompareCommand, DrawsALawOutsideItsRangeApart) {
+  run({"--drag", "di-felice-1994,tenneti-2011", "--tier", "correlation"});
+  std::ifstream stream(out_ / "compare" / "drag" / "figures" / "classification.csv");
+  std::string line;
+  std::getline(stream, line);
+  ASSERT_TRUE(line.ends_with(
+      "di-felice-1994 in its range V_2 [m/s],di-felice-1994 outside its range V_2 [m/s],tenneti-2011 in its "
+      "range V_2 [m/s],tenneti-2011 outside its range V_2 [m/s]"))
+      << line;
+  for (std::string last; std::getline(stream, last);) line = last;
+  EXPECT_EQ(line.substr(0, 6), "0.245,");  // [m/s]
+  std::vector<double> values;
+  std::istringstream cells(line);
+  for (std::string cell; std::getline(cells, cell, ',');) values.push_back(std::stod(cell));
+  const std::size_t end = values.size();
+  EXPECT_TRUE(std::isfinite(values[end - 4]) && std::isnan(values[end - 3])) << line;
+  EXPECT_TRUE(std::isnan(values[end - 2]) && std::isfinite(values[end - 1])) << line;
 }
 
 TEST_F(CompareCommand, WritesTheReportOfTwoBodies) {
@@ -300,6 +335,17 @@ TEST_F(CompareCommand, ComparesVoidFractionSchemesByTheirRuns) {
   const auto answer = nlohmann::json::parse(stream);
   for (const std::string& scheme : schemes)
     EXPECT_TRUE(answer.at("claims").at(0).at("answers").at(scheme).at("ours").is_number()) << scheme;
+}
+
+// Tenneti's law is meant for voidages from 0.5: the packed bed of 0.4 lies outside, and Re = 276 of its spheres inside.
+TEST(UsesOutsideRange, MinimumFluidisationIsOne) {
+  const auto law = find_drag_law("tenneti-2011");
+  const auto sentences = uses_outside_range(law, {});
+  ASSERT_FALSE(sentences.empty());
+  EXPECT_EQ(sentences[0].find("Minimum fluidisation: voidage 0.3999 at 0.06 m/s"), 0u) << sentences[0];
+  EXPECT_EQ(sentences[1].find("Homogeneous bed: "), 0u) << sentences[1];
+  EXPECT_FALSE(homogeneous_bed(law, 0.06).bed_in_range);
+  EXPECT_TRUE(homogeneous_bed(find_drag_law("di-felice-1994"), 0.06).in_range);
 }
 
 TEST(UsesOutsideRange, AreThoseOfTheMeasuredFlow) {

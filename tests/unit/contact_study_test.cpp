@@ -230,6 +230,38 @@ TEST(ContactProperties, SpheresThatStickAreAnError) {
   EXPECT_NE(message.find("do not part"), std::string::npos) << message;
 }
 
+/// What find_out says of a faulty law.
+template <class Fault>
+std::string error_of() {
+  const ComparedContactLaw law{"planted", "mine.cpp", {}, sound_contact(), dem::contact_kernels_of<Planted<Fault>>()};
+  try {
+    find_out(law);
+  } catch (const std::runtime_error& error) {
+    return error.what();
+  }
+  return "";
+}
+
+// Whose force is no number, or draws the spheres into each other, is named with its file before any bed is simulated.
+TEST(ContactFindings, ALawThatCannotMoveTwoBodiesIsNamed) {
+  struct RootOfANegativeNumber {
+    dem::NormalContact operator()(dem::NormalContact c, double, double approach) const {
+      c.force = std::sqrt(c.force * approach);
+      return c;
+    }
+  };
+  struct Attracts {
+    dem::NormalContact operator()(dem::NormalContact c, double, double) const {
+      c.force = -c.force;
+      return c;
+    }
+  };
+  const std::string no_number = error_of<RootOfANegativeNumber>();
+  EXPECT_NE(no_number.find("mine.cpp"), std::string::npos) << no_number;
+  EXPECT_NE(no_number.find("an approach of -0.1 m/s; needed are finite numbers"), std::string::npos) << no_number;
+  EXPECT_NE(error_of<Attracts>().find("mine.cpp: two bodies that meet"), std::string::npos) << error_of<Attracts>();
+}
+
 TEST(UsesOutsideRange, AreThoseOfTheStatedOverlap) {
   EXPECT_TRUE(uses_outside_range(compared("linear"), {}).empty());
   const auto soft =

@@ -2,8 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <fstream>
+#include <iterator>
 #include <string>
 #include <vector>
 
@@ -118,7 +121,23 @@ TEST(LawCommand, TheAssumedTransitionIsAnArgument) {
   };
   EXPECT_EQ(force("1").at("force_over_weight"), 0.0);
   EXPECT_EQ(force("0").at("force_over_weight"), force("0.3").at("force_over_weight_upper"));
-  EXPECT_NE(error_of({"law", "grbavcic-2009-force", "--transition", "1.5"}).find("1.5"), std::string::npos);
+  EXPECT_NE(error_of({"law", "grbavcic-2009-force", "--transition", "1.5"}).find("0 <= transition <= 1"),
+            std::string::npos);
+  EXPECT_NE(error_of({"law", "van-der-wielen-1996", "--transition", "0.3"}).find("does not take"), std::string::npos);
+}
+
+// Ergun's range ends on both sides inside the picture; what lies between is no part of the line outside it.
+TEST(LawCommand, TheLineOutsideTheRangeIsBrokenByTheRange) {
+  const std::filesystem::path folder = std::filesystem::path(testing::TempDir()) / "slfb-law-gap";
+  std::filesystem::create_directories(folder);
+  run({"law", "ergun-1952", "--voidage", "0.45", "--plot", (folder / "ergun.svg").string()});
+  std::ifstream stream(folder / "ergun.svg");
+  const std::string picture{std::istreambuf_iterator<char>(stream), {}};
+  const std::size_t dashes = picture.rfind("stroke-dasharray"), path = picture.find("d='", dashes);
+  ASSERT_NE(dashes, std::string::npos);
+  const std::string line = picture.substr(path, picture.find("'/>", path) - path);
+  EXPECT_EQ(std::ranges::count(line, 'M'), 3) << line;  // begins in the key, and on either side of the range
+  std::filesystem::remove_all(folder);
 }
 
 TEST(LawCommand, DrawsALawAndAFamily) {
@@ -145,7 +164,7 @@ TEST(LawCommand, WritesCsv) {
 TEST(LawCommand, AnswersForEveryLaw) {
   for (const CatalogueEntry& entry : catalogue()) {
     std::vector<std::string> words{"law", std::string(entry.info.name), "--json"};
-    for (const Argument* argument : arguments_of(entry.info.kind)) {
+    for (const Argument* argument : arguments_of(entry)) {
       if (argument->name == "voidage") words.insert(words.end(), {"--voidage", "0.5"});
       if (argument->name == "re") words.insert(words.end(), {"--re", "100"});
     }
