@@ -1,3 +1,4 @@
+#include "experiments/causes/causes.hpp"
 #include "experiments/drag_law_question/drag_law_question.hpp"
 #include "experiments/fig01_void_fraction_schemes/fig01.hpp"
 #include "experiments/fig02_mesh/fig02.hpp"
@@ -29,6 +30,7 @@
 #include "experiments/frontier/integrators.hpp"
 #include "experiments/kinetic_theory/kinetic_theory.hpp"
 #include "experiments/pressure_noise/pressure_noise.hpp"
+#include "experiments/printed_voidage/printed_voidage.hpp"
 #include "experiments/table1_conditions/table1.hpp"
 #include "experiments/table2_fitted_lines/table2.hpp"
 
@@ -65,6 +67,8 @@ const std::vector<Figure>& figures() {
                             fig25(),
                             fig26(),
                             drag_law_question(),
+                            printed_voidage(),
+                            causes(),
                             pressure_noise(),
                             kinetic_theory(),
                             frontier_integrators()};

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "experiments/campaign.hpp"
+#include "experiments/causes/causes.hpp"
 #include "experiments/claims.hpp"
 #include "experiments/figure.hpp"
 #include "experiments/inconsistencies.hpp"
@@ -81,8 +82,7 @@ CampaignOptions campaign_options(const Options& options, std::size_t runs) {
 /// Puts a finished result of a profile where it can be committed; figures use it where nothing is simulated.
 void publish(const Profile& profile, const RunSpec& spec, const std::filesystem::path& out) {
   const auto result = result_file(out, scene_hash(load_run_scene(spec)));
-  if (std::filesystem::exists(result))
-    publish_result(spec, load_result(result), profile.whole.contains(run_key(spec)));
+  if (std::filesystem::exists(result)) publish_result(spec, load_result(result), profile.whole.contains(run_key(spec)));
 }
 
 /// Returns the exit status, which tells of simulations that failed or were interrupted.
@@ -112,6 +112,7 @@ int make_figures(const Options& options) {
     outputs.push_back(figure.draw({shown, runs, measurements, figures_folder, options.out}));
 
   auto evaluations = evaluate(load_claims(), measurements);
+  name_causes(evaluations, options.out);
   judge_run_gates(evaluations, measure_runs(own_runs(runs, profile.name)), measure_runs(published_runs(profile)));
   const auto report_folder = options.out / "report";
   write_report({profile, shown, runs, outputs, evaluations, inconsistencies()}, figures_folder, report_folder);
@@ -134,8 +135,10 @@ void add_figures_command(CLI::App& app) {
   CLI::App* command = app.add_subcommand("figures", "Simulate what is missing, draw the figures, write the report");
   command->add_option("ID", options->ids, "figures to simulate for: " + known_ids() + " (default: all)");
   command
-      ->add_option("--profile", options->profile,
-                   "settings of the simulations: quick, full, or drag-law (the runs of that figure)")
+      ->add_option(
+          "--profile", options->profile,
+          "settings of the simulations: quick, full, paper-steps (the paper's own steps), or drag-law and causes (the "
+          "runs of these figures)")
       ->capture_default_str();
   command->add_option("--jobs", options->jobs, "simulations side by side (default: one per core)")
       ->check(CLI::PositiveNumber);
