@@ -37,6 +37,9 @@ std::optional<double> mean_over_runs(const Measurements& measurements, std::stri
 /// The variants of a system that the profile names, the default ("") first.
 std::vector<std::string> variants_of(const Profile& profile, std::string_view system);
 
+/// Mean time between two samples of a drop [s]: committed results hold every twentieth, unless they are kept whole.
+double sample_interval(const DropSeries& drop);
+
 /// "simulated, Gidaspow-1994 drag" for the default once a run tells which law that is; the variant's name otherwise.
 std::string series_title(const FigureContext& context, std::string_view system, const std::string& variant);
 
