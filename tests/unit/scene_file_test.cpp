@@ -215,9 +215,7 @@ INSTANTIATE_TEST_SUITE_P(
                 "0.1875 m high"},
         Mistake{"diameter = \"6 mm\"", "diameter = \"50 mm\"", "species[1].diameter", "\"50 mm\"",
                 "does not fit between the walls; allowed is less than 0.05 m"},
-        // A slip of a unit: 8 x 8 x 1.6e9 cells, 1e14 s of 5e-5 s.
-        Mistake{"height = \"1.0 m\"\n", "height = \"1.0e7 m\"\n", "fluid.cell_height", "\"6.25 mm\"",
-                "makes 1.02e+11 cells of the column; allowed are 1e+08"},
+        // A slip of a unit: 1e14 s in steps of 5e-5 s.
         Mistake{"duration = \"20 s\"", "duration = 1e14", "stage[1].duration", "100000000000000",
                 "takes 2e+18 steps of contact.time_step = 5e-05 s; allowed are 5e+09"},
         Mistake{"name = \"steel\"", "name = \"glass\"", "species[1].name", "\"glass\"",
@@ -347,6 +345,14 @@ TEST(SceneRules, DuplicateKeyIsAnError) {
 TEST(SceneRules, UnreadableFileIsNamed) {
   EXPECT_NE(message_of([] { load_scene("no/such/scene.toml"); }).find("no/such/scene.toml: cannot be read"),
             std::string::npos);
+}
+
+// A slip of a unit: 8 x 8 cells by 1.6e9 layers.
+TEST(SceneRules, GridBeyondMemoryIsReportedAtItsCells) {
+  const std::string message = message_of([] { parse_scene(valid_scene, "scene.toml", {"geometry.height=1e7"}); });
+  EXPECT_NE(message.find("fluid.cell_height = \"6.25 mm\": makes 1.02e+11 cells of the column; allowed are 1e+08"),
+            std::string::npos)
+      << message;
 }
 
 TEST(SceneRules, EmptyFileIsNamed) {
