@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <sstream>
+#include <tuple>
 
 #include "experiments/measure.hpp"
 
@@ -71,10 +72,21 @@ std::vector<std::string> select_run_keys(const Profile& profile, const std::func
   return keys;
 }
 
+double sample_interval(const DropSeries& drop) {
+  if (drop.time.size() < 2) return std::numeric_limits<double>::quiet_NaN();
+  return (drop.time.back() - drop.time.front()) / static_cast<double>(drop.time.size() - 1);
+}
+
 const FinishedRun* find_run(const FigureContext& context, std::string_view key) {
+  const auto lack = [](const FinishedRun& run) {
+    const auto& drops = run.result.drops;
+    const double interval = drops.empty() ? std::nan("") : sample_interval(drops.front());
+    return std::tuple(run.stale, run.result.snapshots.empty(),
+                      std::isnan(interval) ? std::numeric_limits<double>::infinity() : interval);
+  };
   const FinishedRun* found = nullptr;
   for (const auto& run : context.runs)
-    if (run_key(run.spec) == key && (found == nullptr || (found->stale && !run.stale))) found = &run;
+    if (run_key(run.spec) == key && (found == nullptr || lack(run) < lack(*found))) found = &run;
   return found;
 }
 
@@ -111,11 +123,6 @@ std::vector<std::string> variants_of(const Profile& profile, std::string_view sy
     if (spec.system == system && std::find(variants.begin(), variants.end(), spec.variant) == variants.end())
       variants.push_back(spec.variant);
   return variants;
-}
-
-double sample_interval(const DropSeries& drop) {
-  if (drop.time.size() < 2) return std::numeric_limits<double>::quiet_NaN();
-  return (drop.time.back() - drop.time.front()) / static_cast<double>(drop.time.size() - 1);
 }
 
 std::string series_title(const FigureContext& context, std::string_view system, const std::string& variant) {

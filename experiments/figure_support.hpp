@@ -16,7 +16,9 @@ namespace slfb {
 /// Keys ("system/U_L[/variant]") of the runs of a profile for which `wanted` holds, each once.
 std::vector<std::string> select_run_keys(const Profile& profile, const std::function<bool(const RunSpec&)>& wanted);
 
-/// A run with this key, one of the current numerics version if there is any; null when it is not simulated yet.
+/// A run with this key; null when it is not simulated yet. Of several (profiles share keys) one of the current numerics
+/// version, then one that keeps the positions of the spheres, then the one whose first drop is sampled most finely:
+/// committed results are thinned.
 const FinishedRun* find_run(const FigureContext& context, std::string_view key);
 
 /// One measured quantity at one superficial velocity.

@@ -13,6 +13,7 @@
 #include "correlations/catalogue.hpp"
 #include "experiments/claims.hpp"
 #include "experiments/figure.hpp"
+#include "experiments/figure_support.hpp"
 #include "experiments/inconsistencies.hpp"
 #include "experiments/measure.hpp"
 #include "experiments/run_files.hpp"
@@ -191,6 +192,27 @@ TEST_P(EveryFigure, AppearsInTheReportWithEveryClaim) {
   }
   const auto listed = nlohmann::json::parse(read(folder.path() / "report" / "claims.json")).at("claims").size();
   EXPECT_EQ(listed, evaluations.size());
+}
+
+// A committed quick run, thinned, must not hide the whole one of the full profile.
+TEST(FindRun, PrefersTheCurrentRunThatRecordsMost) {
+  const Folder folder;
+  const Profile profile = synthetic::profile();
+  std::vector<FinishedRun> runs = synthetic::runs(profile);
+  runs.resize(1);
+  const std::string key = run_key(runs[0].spec);
+  FinishedRun whole = runs[0], thinned = runs[0];
+  ASSERT_FALSE(whole.result.snapshots.empty());
+  thinned.result.snapshots.clear();
+  const auto found = [&](std::vector<FinishedRun> candidates) {
+    const FinishedRun* run = find_run({profile, candidates, {}, folder.path(), folder.path()}, key);
+    return run == nullptr ? std::ptrdiff_t{-1} : run - candidates.data();
+  };
+  EXPECT_EQ(found({thinned, whole}), 1);
+  EXPECT_EQ(found({whole, thinned}), 0);
+  whole.stale = true;
+  EXPECT_EQ(found({whole, thinned}), 1);
+  EXPECT_EQ(found({}), -1);
 }
 
 TEST(Report, OffersTheResultOfEachRun) {
