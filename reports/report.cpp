@@ -223,7 +223,8 @@ void copy_figure(const FigureOutput& figure, const fs::path& from, const fs::pat
   }
 }
 
-/// The result of a run beside the pages, so that they can offer it: a second name of the file where it is of this machine.
+/// The result of a run beside the pages, so that they can offer it: a second name of the file where it is of this
+/// machine.
 void add_run(const FinishedRun& run, const fs::path& out, const fs::path& folder) {
   const fs::path from = run.published ? published_file(run.spec) : result_file(out, run.result.name);
   const fs::path to = folder / run_download(run);
