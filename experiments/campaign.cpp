@@ -13,9 +13,9 @@ namespace slfb {
 namespace {
 
 std::optional<FinishedRun> own_run(const RunSpec& spec, const Scene& scene, const std::filesystem::path& out) {
-  const auto file = result_file(out, scene_hash(scene));
-  if (!std::filesystem::exists(file)) return std::nullopt;
-  return FinishedRun{spec, scene, load_result(file), false, false, {}};
+  const std::string hash = scene_hash(scene);
+  if (!std::filesystem::exists(result_file(out, hash))) return std::nullopt;
+  return FinishedRun{spec, scene, load_own_result(out, hash), false, false, {}};
 }
 
 std::optional<FinishedRun> published_run(const RunSpec& spec, const Scene& scene) {

@@ -553,7 +553,7 @@ std::string claims_junit(const std::vector<Evaluation>& evaluations) {
   pugi::xml_node suite = document.append_child("testsuite");
   std::size_t tests = 0, failures = 0, skipped = 0;
   for (const Evaluation& evaluation : evaluations) {
-    if (!evaluation.claim.regression_band) continue;
+    if (!evaluation.claim.regression_band && evaluation.gate == Gate::none) continue;
     ++tests;
     pugi::xml_node test = suite.append_child("testcase");
     test.append_attribute("classname") = evaluation.claim.figure.c_str();

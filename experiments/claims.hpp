@@ -97,7 +97,8 @@ ClaimCounts count(const std::vector<Evaluation>& evaluations);
 /// "gate", "reason"}, …]}.
 nlohmann::ordered_json claims_json(const std::vector<Evaluation>& evaluations);
 
-/// JUnit XML: each claim with a regression band is a test case; broken: failure, not measured: skipped.
+/// JUnit XML: each claim with a gate, a regression band or a test against the published runs, is a test case; broken:
+/// failure, a band without a measurement: skipped.
 std::string claims_junit(const std::vector<Evaluation>& evaluations);
 
 }  // namespace slfb

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <sstream>
+#include <tuple>
 
 #include "experiments/measure.hpp"
 
@@ -71,10 +72,21 @@ std::vector<std::string> select_run_keys(const Profile& profile, const std::func
   return keys;
 }
 
+double sample_interval(const DropSeries& drop) {
+  if (drop.time.size() < 2) return std::numeric_limits<double>::quiet_NaN();
+  return (drop.time.back() - drop.time.front()) / static_cast<double>(drop.time.size() - 1);
+}
+
 const FinishedRun* find_run(const FigureContext& context, std::string_view key) {
+  const auto lack = [](const FinishedRun& run) {
+    const auto& drops = run.result.drops;
+    const double interval = drops.empty() ? std::nan("") : sample_interval(drops.front());
+    return std::tuple(run.stale, run.result.snapshots.empty(),
+                      std::isnan(interval) ? std::numeric_limits<double>::infinity() : interval);
+  };
   const FinishedRun* found = nullptr;
   for (const auto& run : context.runs)
-    if (run_key(run.spec) == key && (found == nullptr || (found->stale && !run.stale))) found = &run;
+    if (run_key(run.spec) == key && (found == nullptr || lack(run) < lack(*found))) found = &run;
   return found;
 }
 
@@ -128,11 +140,12 @@ std::string error_bars(const DataTable& table, const std::vector<int>& using_col
   if (std::none_of(table.rows.begin(), table.rows.end(),
                    [&](const auto& row) { return std::isfinite(row[half_width]); }))
     return "";
-  std::vector<std::string> columns;
-  columns.reserve(using_columns.size());
-  for (const int column : using_columns) columns.push_back(std::to_string(column));
-  return fmt::format("'{}.csv' skip 1 using {} with {} linestyle {} pointsize 0 linewidth 1.4 notitle, ", table.name,
-                     join(columns, ":"), style, line_style);
+  // Both at once, one of them of no width: gnuplot leaves a gap for the point in the bars of a single direction, in
+  // which short bars vanish.
+  const std::string widths =
+      style == "yerrorbars" ? fmt::format("(0):{}", using_columns.back()) : fmt::format("{}:(0)", using_columns.back());
+  return fmt::format("'{}.csv' skip 1 using {}:{}:{} with xyerrorbars linestyle {} pointsize 0 linewidth 1.4 notitle, ",
+                     table.name, using_columns.at(0), using_columns.at(1), widths, line_style);
 }
 
 DataTable against_bed(const FigureContext& context, std::string_view quantity, const std::string& heading,

@@ -16,7 +16,9 @@ namespace slfb {
 /// Keys ("system/U_L[/variant]") of the runs of a profile for which `wanted` holds, each once.
 std::vector<std::string> select_run_keys(const Profile& profile, const std::function<bool(const RunSpec&)>& wanted);
 
-/// A run with this key, one of the current numerics version if there is any; null when it is not simulated yet.
+/// A run with this key; null when it is not simulated yet. Of several (profiles share keys) one of the current numerics
+/// version, then one that keeps the positions of the spheres, then the one whose first drop is sampled most finely:
+/// committed results are thinned.
 const FinishedRun* find_run(const FigureContext& context, std::string_view key);
 
 /// One measured quantity at one superficial velocity.
@@ -36,6 +38,9 @@ std::optional<double> mean_over_runs(const Measurements& measurements, std::stri
 
 /// The variants of a system that the profile names, the default ("") first.
 std::vector<std::string> variants_of(const Profile& profile, std::string_view system);
+
+/// Mean time between two samples of a drop [s]: committed results hold every twentieth, unless they are kept whole.
+double sample_interval(const DropSeries& drop);
 
 /// "simulated, Gidaspow-1994 drag" for the default once a run tells which law that is; the variant's name otherwise.
 std::string series_title(const FigureContext& context, std::string_view system, const std::string& variant);

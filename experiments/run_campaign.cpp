@@ -15,6 +15,7 @@
 #include "experiments/progress_display.hpp"
 #include "experiments/run_estimate.hpp"
 #include "experiments/run_files.hpp"
+#include "experiments/run_lock.hpp"
 #include "experiments/stop_signals.hpp"
 #include "solver/simulation.hpp"
 #include "solver/user_law.hpp"
@@ -44,6 +45,11 @@ Ending run_task(const Task& task, std::size_t number, const CampaignOptions& opt
   const auto directory = run_directory(options.out, task.hash);
   try {
     std::filesystem::create_directories(directory);
+    const RunLock lock(directory);
+    if (std::filesystem::exists(result_file(options.out, task.hash))) {  // another process was faster
+      display.end(number, fmt::format("{}: finished by another slfb", task.label));
+      return Ending::finished;
+    }
     write_scene_file(*task.scene, directory / "scene.toml");
     for (const auto& [law, name] : {std::pair{task.scene->coupling.drag_law, "drag_law.cpp"},
                                     std::pair{task.scene->contact.law, "contact_law.cpp"}})
@@ -64,6 +70,7 @@ Ending run_task(const Task& task, std::size_t number, const CampaignOptions& opt
       return Ending::interrupted;
     }
     save_result(outcome.result, result_file(options.out, task.hash));
+    remove_checkpoints(directory);
     display.end(number, fmt::format("{}: finished, {:.2f} s simulated in {}", task.label,
                                     outcome.result.simulated_seconds, format_duration(outcome.result.wall_seconds)));
     return Ending::finished;
@@ -121,10 +128,16 @@ CampaignOutcome run_scenes(const std::vector<NamedScene>& scenes, const Campaign
         number = next++;
       }
       std::string failure;
-      const Ending ending = run_task(tasks[number], number, options, signals.requested(), display, failure);
+      Ending ending = run_task(tasks[number], number, options, signals.requested(), display, failure);
       const std::lock_guard lock(mutex);
+      if (ending == Ending::finished && options.finished) try {
+          options.finished(tasks[number].place);
+        } catch (const std::exception& error) {
+          ending = Ending::failed;
+          failure = fmt::format("{}: {}", tasks[number].label, error.what());
+          display.message(failure);
+        }
       endings[number] = ending;
-      if (ending == Ending::finished && options.finished) options.finished(tasks[number].place);
       if (ending == Ending::failed) outcome.failures.push_back(std::move(failure));
     }
   };

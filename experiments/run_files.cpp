@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <stdexcept>
+
 namespace slfb {
 
 Scene load_run_scene(const RunSpec& spec) {
@@ -14,6 +16,14 @@ std::filesystem::path run_directory(const std::filesystem::path& out, const std:
 
 std::filesystem::path result_file(const std::filesystem::path& out, const std::string& hash) {
   return run_directory(out, hash) / "result.h5";
+}
+
+RunResult load_own_result(const std::filesystem::path& out, const std::string& hash) {
+  try {
+    return load_result(result_file(out, hash));
+  } catch (const std::runtime_error& error) {
+    throw std::runtime_error(fmt::format("{}; remove it to have it simulated again", error.what()));
+  }
 }
 
 namespace {

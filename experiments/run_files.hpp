@@ -17,6 +17,9 @@ std::filesystem::path run_directory(const std::filesystem::path& out, const std:
 /// The result of a finished run.
 std::filesystem::path result_file(const std::filesystem::path& out, const std::string& hash);
 
+/// Reads it. Throws std::runtime_error with the way out where it is damaged.
+RunResult load_own_result(const std::filesystem::path& out, const std::string& hash);
+
 /// The committed result of a specification: "quick/6in5W_0.06_default.h5" in reports/published/runs.
 std::filesystem::path published_file(const RunSpec& spec);
 

@@ -81,9 +81,15 @@ std::string doubts(const ReportContents& contents, const std::string& id) {
   return items.empty() ? "" : "<h2>What does not add up in the paper</h2>\n<ul class=\"doubts\">\n" + items + "</ul>\n";
 }
 
+/// Keys of the runs that the figure draws; of one with a profile of its own, theirs.
+std::vector<std::string> keys_of(const ReportContents& contents, const Figure& figure) {
+  auto keys = figure.needs(contents.shown);
+  return keys.empty() && figure.id == "drag-law" ? figure.needs(load_profile(figure.id)) : keys;
+}
+
 /// Simulations that the figure draws, and what they cost.
-std::string simulations(const ReportContents& contents, const Figure& figure) {
-  const auto keys = figure.needs(contents.shown);
+std::string simulations(const ReportContents& contents, const Figure& figure, const fs::path& folder) {
+  const auto keys = keys_of(contents, figure);
   std::string rows;
   double wall = 0.0;
   std::size_t count = 0;
@@ -91,15 +97,16 @@ std::string simulations(const ReportContents& contents, const Figure& figure) {
     if (std::find(keys.begin(), keys.end(), run_key(run.spec)) == keys.end()) continue;
     wall += run.result.wall_seconds;
     ++count;
+    const std::string file = "../runs/" + run_download(run);
     rows += fmt::format(
         "<tr><td class=\"lead\">{}</td><td data-label=\"Profile\">{}</td><td data-label=\"Simulated\"><span "
         "class=\"number\">{}</span></td><td data-label=\"Wall time\"><span class=\"number\">{}</span></td><td "
-        "data-label=\"Threads\">{}</td><td data-label=\"Result\"><code>{}</code></td><td "
+        "data-label=\"Threads\">{}</td><td data-label=\"Result\">{}</td><td "
         "data-label=\"From\">{}{}</td></tr>\n",
         escape_html(run_key(run.spec)), escape_html(run.spec.profile), readable_duration(run.result.simulated_seconds),
         readable_duration(run.result.wall_seconds), run.result.threads,
-        run.published ? escape_html("reports/published/runs/" + published_file(run.spec).filename().string())
-                      : fmt::format("build/runs/{}/result.h5", escape_html(run.result.name)),
+        fs::exists(folder / file) ? fmt::format("<a href=\"{}\">HDF5</a>", escape_html(file))
+                                  : escape_html(run.result.name),
         run.published ? "committed results" : "this machine", run.stale ? ", older numerics" : "");
   }
   std::string html = "<h2>Simulations and their cost</h2>\n";
@@ -156,8 +163,10 @@ std::string page(const ReportContents& contents, std::size_t place, const fs::pa
   const fs::path source = fs::path(SLFB_SOURCE_DIR);
   const fs::path readme = source / "experiments" / figure.folder / "README.md";
   const bool has_readme = !figure.folder.empty() && fs::exists(readme);
-  const bool simulated = !figure.needs(contents.shown).empty();
-  const std::string profile = figure.needs(contents.profile).empty() ? "full" : contents.profile.name;
+  const bool simulated = !keys_of(contents, figure).empty();
+  const std::string profile = !figure.needs(contents.profile).empty() ? contents.profile.name
+                              : figure.id == "drag-law"               ? figure.id
+                                                                      : "full";
 
   std::string html = fmt::format(
       "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\" />\n<meta name=\"viewport\" "
@@ -176,11 +185,11 @@ std::string page(const ReportContents& contents, std::size_t place, const fs::pa
     html +=
         "<h2>What the paper states, and ours</h2>\n" + claim_table(claims, "") +
         "<p class=\"soft\">A statement is reproduced when the whole 95 % interval of our number lies in the band. The "
-        "<a href=\"../index.html#claims\">table of all claims</a> says how verdicts are made.</p>\n";
+        "<a href=\"../claims.html\">table of all claims</a> says how verdicts are made.</p>\n";
   if (has_readme)
     html += "<h2>How it is measured</h2>\n<div class=\"prose\">" + markdown_html(read_file(readme)) + "</div>\n";
   html += doubts(contents, output.id);
-  html += simulations(contents, figure);
+  html += simulations(contents, figure, folder);
   html += fmt::format(
       "<h2>Make it again</h2>\n<p>{}</p><code class=\"command\">build/slfb figures {}{}</code>\n"
       "<p class=\"soft\">Redraw it with a look of your own, in a folder with its files above:</p><code "
@@ -191,6 +200,11 @@ std::string page(const ReportContents& contents, std::size_t place, const fs::pa
 }
 
 }  // namespace
+
+std::string run_download(const FinishedRun& run) {
+  const fs::path file = published_file(run.spec);
+  return fmt::format("{}_{}", file.parent_path().filename().string(), file.filename().string());
+}
 
 std::string figure_gallery(const ReportContents& contents, const fs::path& figures_folder) {
   std::string html =

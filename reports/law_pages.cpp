@@ -79,7 +79,7 @@ std::string page(const std::string& title, const std::string& body) {
       "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\" />\n<meta name=\"viewport\" "
       "content=\"width=device-width, initial-scale=1\" />\n<title>{0}</title>\n<style>\n{1}</style>\n</head>\n<body>\n"
       "<header class=\"masthead\"><div>\n<h1>{0}</h1>\n</div></header>\n<nav><div><a "
-      "href=\"../index.html#laws\">Report: "
+      "href=\"../laws.html\">Report: "
       "laws</a><a href=\"variants.html\">Variants by source</a></div></nav>\n<main>\n{2}</main>\n</body>\n</html>\n",
       title, style, body);
 }

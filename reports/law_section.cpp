@@ -21,7 +21,7 @@ std::string range_text(const Range& range) {
 
 std::string law_section() {
   std::string html = fmt::format(
-      "<section id=\"laws\">\n<h2>Laws</h2>\n<p>Every law of the suite with the range that its source states. How a "
+      "<p>Every law of the suite with the range that its source states. How a "
       "formula came to us: <i>read</i> in a source that quotes or implements the original, <i>recalled</i> as common "
       "knowledge of the field, <i>derived</i> or settled by a limit, or <i>reconstructed</i> as a labelled stand-in "
       "for "
@@ -43,7 +43,7 @@ std::string law_section() {
         escape(info.convention), info.note.empty() ? "" : " · " + escape(info.note), range_text(info.reynolds),
         range_text(info.voidage), escape(info.source), escape(to_string(info.confidence)));
   }
-  return html + "</tbody></table></div>\n</section>\n";
+  return html + "</tbody></table></div>\n";
 }
 
 }  // namespace slfb

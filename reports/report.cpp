@@ -4,21 +4,23 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <cmath>
 #include <fstream>
-#include <map>
-#include <regex>
+#include <nlohmann/json.hpp>
 #include <set>
 #include <sstream>
 #include <stdexcept>
 
 #include "experiments/measure.hpp"
+#include "experiments/run_files.hpp"
 #include "reports/claim_table.hpp"
 #include "reports/figure_pages.hpp"
 #include "reports/html.hpp"
 #include "reports/law_pages.hpp"
 #include "reports/law_section.hpp"
+#include "reports/markdown.hpp"
 
 namespace slfb {
 namespace {
@@ -31,6 +33,26 @@ std::string read_file(const fs::path& file) {
   std::ostringstream text;
   text << stream.rdbuf();
   return text.str();
+}
+
+struct Page {
+  const char *file, *title;
+};
+constexpr std::array pages{Page{"index.html", "Overview"},
+                           Page{"claims.html", "Claims"},
+                           Page{"figures/drag-law.html", "Drag law"},
+                           Page{"inconsistencies.html", "What does not add up"},
+                           Page{"methods.html", "Methods"},
+                           Page{"laws.html", "Laws"},
+                           Page{"provenance.html", "Provenance"}};
+
+/// Links to all pages but the figures'; the one called `title` is marked as the present one.
+std::string navigation(std::string_view title) {
+  std::string html = "<nav><div>";
+  for (const Page& page : pages)
+    html += fmt::format("<a href=\"{}\"{}>{}</a>", page.file, page.title == title ? " aria-current=\"page\"" : "",
+                        page.title);
+  return html + "</div></nav>\n";
 }
 
 std::string overview(const ReportContents& contents) {
@@ -52,11 +74,7 @@ std::string overview(const ReportContents& contents) {
           ? fmt::format(" <code>build/slfb figures --profile {}</code> makes the others and draws everything again.",
                         escape_html(contents.profile.name))
           : "");
-  html +=
-      "<nav><div><a href=\"#verdicts\">Verdicts</a><a href=\"#figures\">Figures</a><a href=\"#claims\">Claims</a>"
-      "<a href=\"#inconsistencies\">What does not add up</a><a href=\"#laws\">Laws</a><a "
-      "href=\"#provenance\">Provenance"
-      "</a></div></nav>\n<main>\n<section id=\"verdicts\">\n<h2>Verdicts at a glance</h2>\n";
+  html += navigation("Overview") + "<main>\n<section id=\"verdicts\">\n<h2>Verdicts at a glance</h2>\n";
   const std::array<std::pair<Verdict, std::size_t>, 3> parts{{{Verdict::reproduced, counts.reproduced},
                                                               {Verdict::not_reproduced, counts.not_reproduced},
                                                               {Verdict::not_decidable, counts.not_decidable}}};
@@ -82,7 +100,7 @@ std::string overview(const ReportContents& contents) {
     html += fmt::format("<div><span class=\"soft\">{}</span><span class=\"cells\">",
                         has_page ? fmt::format("<a href=\"figures/{}.html\">{}</a>", place, label) : label);
     for (const Evaluation* evaluation : group) {
-      html += fmt::format("<a class=\"{0}-cell\" href=\"#{1}\" title=\"{1}: {2} ({3})\">{4}</a>",
+      html += fmt::format("<a class=\"{0}-cell\" href=\"claims.html#{1}\" title=\"{1}: {2} ({3})\">{4}</a>",
                           verdict_class(evaluation->verdict), escape_html(evaluation->claim.id),
                           escape_html(evaluation->claim.quantity), to_string(evaluation->verdict),
                           verdict_sign(evaluation->verdict));
@@ -103,7 +121,7 @@ std::string claim_section(const ReportContents& contents) {
   for (const auto& [place, group] : claims_by_place(contents.evaluations))
     options += fmt::format("<option value=\"{}\">{}</option>", escape_html(place), place_in_paper(place));
   std::string html = fmt::format(
-      "<section id=\"claims\">\n<h2>Claims</h2>\n<p>A claim is one statement of the paper that a number can decide. It "
+      "<p>A claim is one statement of the paper that a number can decide. It "
       "is "
       "reproduced when our number lies in the band beside the paper's; the band is never widened to fit. Not decidable "
       "means that the paper gives no number or no definition, or that the simulation is still to be made; the reason "
@@ -114,17 +132,17 @@ std::string claim_section(const ReportContents& contents) {
       "reproduced</button>"
       "<button value=\"not-decidable\">not decidable</button><select aria-label=\"place in the "
       "paper\">{}</select></div>\n"
-      "<p class=\"soft\" id=\"claims-shown\">{}</p>\n",
+      "<p class=\"soft\"><span id=\"claims-shown\">{}</span> · <a href=\"claims.json\">all claims as JSON</a></p>\n",
       options, plural(contents.evaluations.size(), "claim"));
   std::vector<const Evaluation*> claims;
   for (const auto& [place, group] : claims_by_place(contents.evaluations))
     claims.insert(claims.end(), group.begin(), group.end());
-  return html + claim_table(claims, "claim-rows") + "</section>\n";
+  return html + claim_table(claims, "claim-rows");
 }
 
 std::string inconsistency_section(const ReportContents& contents) {
   std::string html =
-      "<section id=\"inconsistencies\">\n<h2>What does not add up</h2>\n<p>Places where the paper disagrees with "
+      "<p>Places where the paper disagrees with "
       "itself or "
       "with the laws it names. Every number here is computed by the suite from the printed ones; none is typed "
       "in.</p>\n"
@@ -141,14 +159,14 @@ std::string inconsistency_section(const ReportContents& contents) {
         with_unit(readable_number(row.paper), row.unit), with_unit(readable_number(row.recomputed), row.unit),
         prose_html(row.explanation));
   }
-  return html + "</tbody></table></div>\n</section>\n";
+  return html + "</tbody></table></div>\n";
 }
 
 std::string provenance_section(const ReportContents& contents) {
   double wall_seconds = 0.0;
   for (const auto& run : contents.runs) wall_seconds += run.result.wall_seconds;
   std::string html = fmt::format(
-      "<section id=\"provenance\">\n<h2>Provenance</h2>\n<p>Written {:%Y-%m-%d %H:%M} UTC by slfb {}, numerics version "
+      "<p>Written {:%Y-%m-%d %H:%M} UTC by slfb {}, numerics version "
       "{}. "
       "A run is named by the hash of its scene and the numerics version, so that the same scene is never computed "
       "twice. "
@@ -156,7 +174,7 @@ std::string provenance_section(const ReportContents& contents) {
       fmt::gmtime(std::chrono::system_clock::to_time_t(std::chrono::system_clock::now())), escape_html(SLFB_VERSION),
       numerics_version, plural(contents.runs.size(), "simulation"), readable_duration(wall_seconds));
   html += "<p>Where its simulations differ from the paper's:</p>" + list(contents.profile.differences);
-  if (contents.runs.empty()) return html + "<p>No simulation is available yet.</p>\n</section>\n";
+  if (contents.runs.empty()) return html + "<p>No simulation is available yet.</p>\n";
   html +=
       "<div class=\"card scroll\"><table class=\"stack\">\n<thead><tr><th>Run</th><th>Scene hash</th><th>Numerics</th>"
       "<th>Simulated</th><th>Wall "
@@ -173,7 +191,24 @@ std::string provenance_section(const ReportContents& contents) {
         readable_duration(result.simulated_seconds), readable_duration(result.wall_seconds), result.threads,
         escape_html(result.machine), escape_html(result.date), run.published ? "committed results" : "this machine");
   }
-  return html + "</tbody></table></div>\n</section>\n";
+  return html + "</tbody></table></div>\n";
+}
+
+void write_file(const fs::path& file, const std::string& text) {
+  std::ofstream stream(file, std::ios::binary);
+  stream << text;
+  stream.close();
+  if (!stream) throw std::runtime_error(fmt::format("cannot write {}", file.string()));
+}
+
+/// A page of the folder of the report; `body` opens <main>.
+std::string whole_page(const std::string& title, const std::string& body) {
+  return fmt::format(
+      "<!DOCTYPE html>\n<html lang=\"en\" class=\"no-script\">\n<head>\n<meta charset=\"utf-8\" />\n<meta "
+      "name=\"viewport\" content=\"width=device-width, initial-scale=1\" />\n<title>{}</title>\n<style>\n{}</style>\n"
+      "</head>\n<body>\n{}<footer>slfb {}. The numbers of the paper are facts quoted with their place in it.</footer>\n"
+      "</main>\n</body>\n</html>\n",
+      title, read_file(fs::path(SLFB_SOURCE_DIR) / "reports" / "report.css"), body, escape_html(SLFB_VERSION));
 }
 
 /// The files of one figure, and only those: a figures folder may hold remains of earlier versions.
@@ -188,37 +223,47 @@ void copy_figure(const FigureOutput& figure, const fs::path& from, const fs::pat
   }
 }
 
+/// The result of a run beside the pages, so that they can offer it: a second name of the file where it is of this
+/// machine.
+void add_run(const FinishedRun& run, const fs::path& out, const fs::path& folder) {
+  const fs::path from = run.published ? published_file(run.spec) : result_file(out, run.result.name);
+  const fs::path to = folder / run_download(run);
+  std::error_code error;
+  if (!fs::exists(from) || fs::exists(to)) return;
+  if (!run.published) fs::create_hard_link(from, to, error);
+  if (run.published || error) fs::copy_file(from, to, error);
+  if (error) throw std::runtime_error(fmt::format("cannot copy {}: {}", from.string(), error.message()));
+}
+
 }  // namespace
 
 void write_report(const ReportContents& contents, const fs::path& figures_folder, const fs::path& folder) {
   fs::create_directories(folder / "figures");
   for (const auto& figure : contents.figures) copy_figure(figure, figures_folder, folder / "figures");
+  fs::remove_all(folder / "runs");
+  fs::create_directories(folder / "runs");
+  for (const auto& run : contents.runs) add_run(run, contents.out, folder / "runs");
 
   write_figure_pages(contents, folder / "figures");
   write_law_pages(folder);
 
+  write_file(folder / "claims.json", claims_json(contents.evaluations).dump(2) + "\n");
+  write_file(folder / "index.html",
+             whole_page("slfb report", overview(contents) + figure_gallery(contents, figures_folder)));
+  const auto write_page = [&](const char* file, const std::string& title, const std::string& body) {
+    write_file(
+        folder / file,
+        whole_page(title, fmt::format("<header class=\"masthead slim\"><div><h1>{}</h1></div></header>\n{}<main>\n{}",
+                                      title, navigation(title), body)));
+  };
   const fs::path source = fs::path(SLFB_SOURCE_DIR) / "reports";
-  std::string html = fmt::format(
-      "<!DOCTYPE html>\n<html lang=\"en\" class=\"no-script\">\n<head>\n<meta charset=\"utf-8\" />\n<meta "
-      "name=\"viewport\" "
-      "content=\"width=device-width, initial-scale=1\" />\n<title>slfb "
-      "report</title>\n<style>\n{}</style>\n</head>\n<body>\n",
-      read_file(source / "report.css"));
-  html += overview(contents);
-  html += figure_gallery(contents, figures_folder);
-  html += claim_section(contents);
-  html += inconsistency_section(contents);
-  html += law_section();
-  html += provenance_section(contents);
-  html += fmt::format(
-      "<footer>slfb {}. The numbers of the paper are facts quoted with their place in it.</footer>\n</main>\n"
-      "<script>\n{}</script>\n</body>\n</html>\n",
-      escape_html(SLFB_VERSION), read_file(source / "report.js"));
-  const fs::path file = folder / "index.html";
-  std::ofstream stream(file, std::ios::binary);
-  stream << html;
-  stream.close();
-  if (!stream) throw std::runtime_error(fmt::format("cannot write {}", file.string()));
+  write_page("claims.html", "Claims",
+             claim_section(contents) + "<script>\n" + read_file(source / "report.js") + "</script>\n");
+  write_page("inconsistencies.html", "What does not add up", inconsistency_section(contents));
+  write_page("methods.html", "Methods",
+             "<div class=\"prose\">" + markdown_html(read_file(source / "methods.md")) + "</div>\n");
+  write_page("laws.html", "Laws", law_section());
+  write_page("provenance.html", "Provenance", provenance_section(contents));
 }
 
 }  // namespace slfb

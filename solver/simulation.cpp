@@ -14,6 +14,7 @@
 #include <numbers>
 #include <thread>
 
+#include "solver/coupling/drag_relaxation.hpp"
 #include "solver/coupling/force_balance.hpp"
 #include "solver/coupling/phase_coupling.hpp"
 #include "solver/dem/engine.hpp"
@@ -109,7 +110,6 @@ class Simulation {
   void save(const std::filesystem::path& file) const;
   bool resume(const std::filesystem::path& file);
   [[nodiscard]] std::filesystem::path records_file(std::int64_t dem_steps) const;
-  void remove_records(std::int64_t kept) const;
   void report_progress();
   [[nodiscard]] double planned_seconds() const;
   [[nodiscard]] coupling::PhaseCoupling& coupling() {
@@ -611,10 +611,10 @@ bool Simulation::resume(const std::filesystem::path& file) {
   return true;
 }
 
-/// Removes the records of all checkpoints but the one after `kept` steps.
-void Simulation::remove_records(std::int64_t kept) const {
-  for (const auto& entry : std::filesystem::directory_iterator(options_.directory))
-    if (entry.path().filename().string().starts_with("records_") && entry.path() != records_file(kept))
+/// Removes the records of all checkpoints but the one whose records are `kept`.
+void remove_records(const std::filesystem::path& directory, const std::filesystem::path& kept) {
+  for (const auto& entry : std::filesystem::directory_iterator(directory))
+    if (entry.path().filename().string().starts_with("records_") && entry.path() != kept)
       std::filesystem::remove(entry.path());
 }
 
@@ -649,10 +649,15 @@ RunOutcome Simulation::run() {
     update_cost();
     save_result(result_, records_file(engine_.steps()));
     save(checkpoint);
-    remove_records(engine_.steps());
+    remove_records(options_.directory, records_file(engine_.steps()));
     last_checkpoint_ = Clock::now();
   };
-  if (resume(checkpoint)) spdlog::info("resuming {} at {:.3f} s", result_.name, result_.simulated_seconds);
+  try {
+    if (resume(checkpoint)) spdlog::info("resuming {} at {:.3f} s", result_.name, result_.simulated_seconds);
+  } catch (const std::exception& error) {
+    throw std::runtime_error(fmt::format("the checkpoint of an earlier start is damaged: {}; remove {} to start anew",
+                                         error.what(), options_.directory.string()));
+  }
   steps_at_start_ = result_.particle_steps;
   try {
     for (; position_.stage < static_cast<std::int64_t>(scene_.stages.size());
@@ -670,18 +675,27 @@ RunOutcome Simulation::run() {
   } catch (const std::runtime_error& error) {
     const auto file = options_.directory / "failure.h5";
     save(file);
+    const double relaxation = coupling::packed_relaxation_time(scene_);
+    const std::string hint =
+        liquid_ && scene_.fluid.time_step > relaxation
+            ? fmt::format("; or a smaller fluid.time_step: drag stops a sphere of the packed bed within {:.2g} s",
+                          relaxation)
+            : "";
     throw std::runtime_error(
-        fmt::format("{} s after the start of the run ({} s of fluidisation): {}; state saved in {}",
-                    result_.simulated_seconds, fluidised_seconds(), error.what(), file.string()));
+        fmt::format("{:.6g} s after the start of the run ({:.6g} s of fluidisation): {}{}; state saved in {}",
+                    result_.simulated_seconds, fluidised_seconds(), error.what(), hint, file.string()));
   }
   update_cost();
-  std::filesystem::remove(checkpoint);
-  remove_records(-1);
   return {RunStatus::finished, result_};
 }
 
 }  // namespace
 
 RunOutcome run_scene(const Scene& scene, const RunOptions& options) { return Simulation(scene, options).run(); }
+
+void remove_checkpoints(const std::filesystem::path& directory) {
+  for (const char* file : {"checkpoint.h5", "failure.h5"}) std::filesystem::remove(directory / file);
+  remove_records(directory, {});
+}
 
 }  // namespace slfb

@@ -36,8 +36,12 @@ struct RunOutcome {
 /// Runs all stages of a scene and returns what was recorded.
 ///
 /// Resumes from directory/checkpoint.h5 if that belongs to the same scene and numerics version, with bitwise the same
-/// continuation. Writes checkpoints on the way and when stopped. When the motion or the liquid breaks down, the state
-/// is saved to directory/failure.h5 and a std::runtime_error tells what, where and when.
+/// continuation. Writes checkpoints on the way and when stopped; the last one stays, so that nothing is lost before the
+/// result is saved. When the motion or the liquid breaks down, the state is saved to directory/failure.h5 and a
+/// std::runtime_error tells what, where and when.
 RunOutcome run_scene(const Scene& scene, const RunOptions& options);
+
+/// Removes what run_scene has left in its directory for a continuation or after a failure.
+void remove_checkpoints(const std::filesystem::path& directory);
 
 }  // namespace slfb

@@ -6,11 +6,13 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <thread>
 #include <vector>
 
 #include "experiments/bench/coupled_bench.hpp"
 #include "experiments/bench/dem_bench.hpp"
 #include "experiments/bench/fluid_bench.hpp"
+#include "experiments/commands/above_zero.hpp"
 #include "experiments/pressure_noise/noise_study.hpp"
 
 namespace slfb {
@@ -169,6 +171,7 @@ void bench_fluid(const FluidOptions& options) {
 }  // namespace
 
 void add_bench_command(CLI::App& app) {
+  const int cores = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
   CLI::App* bench = app.add_subcommand("bench", "How fast the solver is on this machine");
   bench->require_subcommand(1);
 
@@ -183,12 +186,11 @@ void add_bench_command(CLI::App& app) {
   dem->add_option("--scene", options->scenes, "A, B, C or D; several are timed one after the other")
       ->check(CLI::IsMember({"A", "B", "C", "D"}))
       ->capture_default_str();
-  dem->add_option("--threads", options->threads, "Threads")->check(CLI::PositiveNumber)->capture_default_str();
+  dem->add_option("--threads", options->threads, "Threads")->check(CLI::Range(1, cores))->capture_default_str();
   dem->add_option("--repetitions", options->repetitions, "Timed repetitions; the median is reported")
-      ->check(CLI::PositiveNumber)
+      ->check(above_zero())
       ->capture_default_str();
-  dem->add_option("--steps", options->steps, "Steps of a repetition, if not the scene's own")
-      ->check(CLI::PositiveNumber);
+  dem->add_option("--steps", options->steps, "Steps of a repetition, if not the scene's own")->check(above_zero());
   dem->add_flag("--json", options->json, "Results for programs");
   dem->add_option("--write-lammps", options->lammps_file,
                   "Write the scene's start as a data file of LAMMPS and LIGGGHTS, and time nothing");
@@ -205,8 +207,8 @@ void add_bench_command(CLI::App& app) {
   fluid->add_option("--cells-across", fluid_options->cells_across, "Cells over the diameter; several are timed in turn")
       ->check(CLI::Range(2, 100))
       ->capture_default_str();
-  fluid->add_option("--threads", fluid_options->threads, "Threads")->check(CLI::PositiveNumber)->capture_default_str();
-  fluid->add_option("--steps", fluid_options->steps, "Timed steps")->check(CLI::PositiveNumber)->capture_default_str();
+  fluid->add_option("--threads", fluid_options->threads, "Threads")->check(CLI::Range(1, cores))->capture_default_str();
+  fluid->add_option("--steps", fluid_options->steps, "Timed steps")->check(above_zero())->capture_default_str();
   fluid->add_option("--set", fluid_options->overrides,
                     "Change the scene: a dotted key of the scene file and a value, as in fluid.convection=upwind");
   fluid->add_flag("--json", fluid_options->json, "Results for programs");
@@ -229,10 +231,10 @@ void add_bench_command(CLI::App& app) {
       ->check(CLI::IsMember(names))
       ->capture_default_str();
   coupled->add_option("--threads", coupled_options->threads, "Threads")
-      ->check(CLI::PositiveNumber)
+      ->check(CLI::Range(1, cores))
       ->capture_default_str();
   coupled->add_option("--seconds", coupled_options->seconds, "Simulated time that is timed [s]")
-      ->check(CLI::PositiveNumber)
+      ->check(above_zero())
       ->capture_default_str();
   coupled->add_option("--set", coupled_options->overrides,
                       "Change the scene: a dotted key of the scene file and a value, as in fluid.time_step=1e-3");

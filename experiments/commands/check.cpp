@@ -24,11 +24,22 @@ constexpr const char* examples = R"(Examples:
   slfb check                          every claim: paper, ours, verdict, gate
   slfb check fig05 table2             the claims whose id begins so
   slfb check --json                   the same as JSON on standard output
-  slfb check --junit gates.xml        a test case per regression band, for CI
+  slfb check --junit gates.xml        a test case per gate, for CI
 
 A verdict says whether the paper is reproduced; a gate says whether our own accepted value still stands. The exit
-status is 0 only when every gate of the chosen claims holds. Name claims before --json, which takes what follows it as
-its file. The rules are in reference-data/README.md.)";
+status is 0 when every gate of the chosen claims holds, 1 when one is broken or a file cannot be read or written, 2 for
+a wrong command line. Name claims before --json, which takes what follows it as its file. Nothing is simulated.
+
+JSON: {"claims": [CLAIM, ...]}; a CLAIM has
+  id, figure, quantity, unit   texts; "-" is the unit of ratios
+  paper                        number, or a text ("at most 0.5", "increasing")
+  ours, deviation              number, or null when not measured; deviation from the paper's value or the bound that
+                               is broken, relative
+  interval, paper_band         [lower, upper], or null; null inside stands for an open end
+  verdict                      "reproduced", "not reproduced", "not decidable"
+  gate                         "holds", "broken", "none"
+  reason                       text
+The rules are in reference-data/README.md.)";
 
 struct Options {
   std::vector<std::string> ids;
@@ -130,6 +141,10 @@ void write_file(const std::filesystem::path& file, const std::string& text) {
 
 /// Returns the exit status: 1 when a gate is broken.
 int check(const Options& options, bool json) {
+  for (const std::filesystem::path& file : {std::filesystem::path(options.json), options.junit})
+    if (file.has_parent_path() && !std::filesystem::is_directory(file.parent_path()))
+      throw std::runtime_error(
+          fmt::format("cannot write {}: there is no folder {}", file.string(), file.parent_path().string()));
   const std::vector<Claim> claims = choose(load_claims(), options.ids);
   Measurements measurements = measure_without_runs();
   const Profile profile = load_profile(options.profile);

@@ -15,6 +15,7 @@
 #include <stdexcept>
 #include <thread>
 
+#include "experiments/commands/above_zero.hpp"
 #include "experiments/compare/bed_figures.hpp"
 #include "experiments/compare/contact_report.hpp"
 #include "experiments/compare/drag_report.hpp"
@@ -361,9 +362,9 @@ void add_compare_command(CLI::App& app) {
       ->type_name("U,...");
   command->add_option("--out", options->out, "Folder of runs/ and compare/")->capture_default_str();
   command->add_option("--jobs", options->jobs, "Simulations side by side (default: cores over threads)")
-      ->check(CLI::PositiveNumber);
+      ->check(above_zero());
   command->add_option("--threads", options->threads, "Threads of each simulation")
-      ->check(CLI::PositiveNumber)
+      ->check(above_zero())
       ->capture_default_str();
   command->footer(examples);
   command->callback([options] {

@@ -13,6 +13,7 @@
 #include "experiments/campaign.hpp"
 #include "experiments/causes/causes.hpp"
 #include "experiments/claims.hpp"
+#include "experiments/commands/above_zero.hpp"
 #include "experiments/figure.hpp"
 #include "experiments/inconsistencies.hpp"
 #include "experiments/measure.hpp"
@@ -81,8 +82,9 @@ CampaignOptions campaign_options(const Options& options, std::size_t runs) {
 
 /// Puts a finished result of a profile where it can be committed; figures use it where nothing is simulated.
 void publish(const Profile& profile, const RunSpec& spec, const std::filesystem::path& out) {
-  const auto result = result_file(out, scene_hash(load_run_scene(spec)));
-  if (std::filesystem::exists(result)) publish_result(spec, load_result(result), profile.whole.contains(run_key(spec)));
+  const std::string hash = scene_hash(load_run_scene(spec));
+  if (std::filesystem::exists(result_file(out, hash)))
+    publish_result(spec, load_own_result(out, hash), profile.whole.contains(run_key(spec)));
 }
 
 /// Returns the exit status, which tells of simulations that failed or were interrupted.
@@ -115,7 +117,12 @@ int make_figures(const Options& options) {
   name_causes(evaluations, options.out);
   judge_run_gates(evaluations, measure_runs(own_runs(runs, profile.name)), measure_runs(published_runs(profile)));
   const auto report_folder = options.out / "report";
-  write_report({profile, shown, runs, outputs, evaluations, inconsistencies()}, figures_folder, report_folder);
+  auto reported = runs;
+  for (const char* own : {"drag-law", "causes", "paper-steps"})  // their figures read them by themselves
+    if (profile.name != own)
+      for (auto& run : finished_runs(load_profile(own), options.out)) reported.push_back(std::move(run));
+  write_report({profile, shown, reported, outputs, evaluations, inconsistencies(), options.out}, figures_folder,
+               report_folder);
 
   for (const Figure* figure : chosen)
     fmt::print("{}  {:<62}{}\n", figure->id, figure->title, (figures_folder / (figure->id + ".svg")).string());
@@ -140,10 +147,9 @@ void add_figures_command(CLI::App& app) {
           "settings of the simulations: quick, full, paper-steps (the paper's own steps), or drag-law and causes (the "
           "runs of these figures)")
       ->capture_default_str();
-  command->add_option("--jobs", options->jobs, "simulations side by side (default: one per core)")
-      ->check(CLI::PositiveNumber);
+  command->add_option("--jobs", options->jobs, "simulations side by side (default: one per core)")->check(above_zero());
   command->add_option("--threads", options->threads, "threads of each simulation (default: cores over jobs)")
-      ->check(CLI::PositiveNumber);
+      ->check(above_zero());
   command->add_option("--out", options->out, "folder of runs/, figures/ and report/")->capture_default_str();
   command->add_flag("--no-run", options->no_run, "simulate nothing, draw with what exists");
   command->add_flag("--publish", options->publish,

@@ -10,6 +10,7 @@
 #include <thread>
 #include <vector>
 
+#include "experiments/commands/above_zero.hpp"
 #include "experiments/frontier/frontier_chart.hpp"
 #include "experiments/frontier/study.hpp"
 
@@ -132,7 +133,7 @@ void add_frontier_command(CLI::App& app) {
       ->capture_default_str();
   command->add_option("--out", options->out, "Folder of trials/ and frontier/")->capture_default_str();
   command->add_option("--jobs", options->jobs, "Trials side by side, one thread each")
-      ->check(CLI::PositiveNumber)
+      ->check(above_zero())
       ->capture_default_str();
   command->add_flag("--list", options->list, "Show the studies and what of them is computed");
   command->add_flag("--no-run", options->no_run, "Compute nothing, draw what exists");

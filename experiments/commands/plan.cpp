@@ -10,6 +10,7 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
+#include "experiments/commands/above_zero.hpp"
 #include "experiments/measure.hpp"
 #include "experiments/plan/plan.hpp"
 #include "experiments/run_campaign.hpp"
@@ -77,7 +78,7 @@ struct Verification {
 using Answers = std::map<std::string, std::pair<double, double>>;  ///< value and half width by quantity
 
 Answers answers_of(const Scene& scene, const fs::path& out, const std::vector<std::string>& asked) {
-  const RunResult result = load_result(result_file(out, scene_hash(scene)));
+  const RunResult result = load_own_result(out, scene_hash(scene));
   const RunSpec spec{"scene", scene.liquid.superficial_velocity, "", "", {}};
   const Measurements found = measure_runs({{spec, scene, result}});
   Answers answers;
@@ -253,7 +254,7 @@ void add_plan_command(CLI::App& app) {
   command->add_flag("--json", options->json, "Write the plan as JSON");
   command->add_option("--out", options->out, "Folder of runs/, for --verify")->capture_default_str();
   command->add_option("--jobs", options->jobs, "Simulations side by side, for --verify")
-      ->check(CLI::PositiveNumber)
+      ->check(above_zero())
       ->capture_default_str();
   command->footer(examples);
   command->callback([options] {

@@ -17,6 +17,7 @@
 #include "experiments/run_campaign.hpp"
 #include "experiments/run_estimate.hpp"
 #include "experiments/run_files.hpp"
+#include "solver/coupling/drag_relaxation.hpp"
 #include "solver/scene/scene_file.hpp"
 
 namespace slfb {
@@ -78,7 +79,13 @@ int print_plan(const Options& options, const Scene& scene) {
   line("liquid cells", fmt::format("{}", estimate.liquid_cells));
   line("steps per contact", fmt::format("{:.1f} of {:.3g} s", estimate.steps_per_contact, scene.contact.time_step));
   line("bound of the step", fmt::format("{:.3g} s (1/ω_0 of the stiffest pair)", estimate.time_step_bound));
-  line("liquid step", fmt::format("{:.3g} s", scene.fluid.time_step));
+  const double relaxation = coupling::packed_relaxation_time(scene);
+  line("liquid step", fmt::format("{:.3g} s", scene.fluid.time_step) +
+                          (scene.fluid.time_step > relaxation
+                               ? fmt::format(", longer than the {:.2g} s in which drag stops a sphere of the packed "
+                                             "bed: the motion may become unstable",
+                                             relaxation)
+                               : ""));
   line("simulated time", estimate.longest_seconds > estimate.simulated_seconds
                              ? fmt::format("{:.2f} s with {} s for each fall, at most {:.2f} s",
                                            estimate.simulated_seconds, typical_fall, estimate.longest_seconds)
@@ -182,12 +189,12 @@ int run(const Options& options) {
   if (options.dry_run) return print_plan(options, scene);
 
   const std::string hash = scene_hash(scene);
-  const auto file = result_file(options.out, hash);
   const CampaignOutcome outcome = run_scenes({{options.scene.stem().string(), scene}},
                                              {.out = options.out, .jobs = 1, .threads_per_run = options.threads});
   json answer{{"scene", options.scene.string()}, {"hash", hash}, {"status", status_of(outcome)}};
   if (outcome.unfinished() == 0) {
-    const RunResult result = load_result(file);
+    const auto file = result_file(options.out, hash);
+    const RunResult result = load_own_result(options.out, hash);
     const Measurements measurements = measure(options, scene, result);
     answer["result"] = file.string();
     add_result(answer, result, measurements);
@@ -222,6 +229,7 @@ void add_run_command(CLI::App& app) {
           "auto: models, stiffness and steps as `slfb plan` chooses them")
       ->check(CLI::IsMember({"auto"}));
   command->add_option("--for", options->asked, "Quantities that the plan is made for (see `slfb plan --help`)")
+      ->needs("--plan")
       ->delimiter(',')
       ->type_name("Q,...");
   command->add_flag("--dry-run", options->dry_run, "Check the scene and show what would run, without running it");

@@ -14,6 +14,7 @@
 #include <thread>
 #include <vector>
 
+#include "experiments/commands/above_zero.hpp"
 #include "experiments/stability/map.hpp"
 #include "experiments/stability/map_chart.hpp"
 #include "experiments/stop_signals.hpp"
@@ -164,7 +165,7 @@ void add_stability_command(CLI::App& app) {
       ->capture_default_str();
   command->add_option("--out", options->out, "Folder of trials/ and stability/")->capture_default_str();
   command->add_option("--jobs", options->jobs, "Trials side by side, one thread each")
-      ->check(CLI::PositiveNumber)
+      ->check(above_zero())
       ->capture_default_str();
   command->add_flag("--list", options->list, "Show the maps and their criteria");
   command->add_flag("--no-run", options->no_run, "Compute nothing, draw what exists");

@@ -118,9 +118,9 @@ CampaignOutcome simulate(std::vector<Candidate>& candidates, const std::vector<R
     std::vector<FinishedRun> finished;
     for (const RunSpec& run : runs) {
       Scene scene = (next++)->scene;
-      const auto file = result_file(options.out, scene_hash(scene));
-      if (!std::filesystem::exists(file)) continue;
-      finished.push_back({run, std::move(scene), load_result(file), false, false});
+      const std::string hash = scene_hash(scene);
+      if (!std::filesystem::exists(result_file(options.out, hash))) continue;
+      finished.push_back({run, std::move(scene), load_own_result(options.out, hash), false, false});
       candidate.core_seconds += finished.back().result.cpu_seconds;
       candidate.simulated_seconds += finished.back().result.simulated_seconds;
     }

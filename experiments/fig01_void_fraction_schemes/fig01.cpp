@@ -190,27 +190,27 @@ FigureOutput draw(const FigureContext& context) {
   const Places erring{0, 7, 8, 1, 2, 3, 4, 5}, meshing{1, 2, 3, 4, 5}, entering{0, 1, 2, 4, 7, 8, 6},
       changing{0, 2, 4, 7, 8, 6};
   const std::string commands = fmt::format(
-      "{}lower = {}\nset multiplot layout 2,3 margins 0.05,0.988,0.085,0.945 spacing 0.06,0.155\n"
+      "{}lower = {}\nset multiplot layout 2,3 margins 0.055,0.988,0.085,0.945 spacing 0.066,0.155\n"
       "set title 'template of 1214 pieces of equal volume'\nunset border\nunset tics\nunset key\nunset grid\n"
       "set size ratio -1\nset xrange [-1.1:1.1]\nset yrange [-1.1:1.1]\nset style fill solid 1 border rgb '#1b2a38'\n"
       "plot 'fig01_template.csv' skip 1 using 1:2:3:4 with circles linecolor rgb variable linewidth 0.4\n"
       "set size noratio\nset border 3\nset grid back\nset logscale xy\nset mxtics 1\nset mytics 1\n"
       "set xrange [0.45:11]\nset xtics nomirror out scale 0.6 (0.5, 1, 2, 5, 10)\n"
       "set yrange [1e-5:10]\nset ytics nomirror out scale 0.6\nset format y '10^{{%L}}'\n"
-      "set xlabel 'cell size / sphere diameter'\nset ylabel 'error of the solids fraction / mean [-]' offset 1.5,0\n"
+      "set xlabel 'cell size / sphere diameter'\nset ylabel 'error of solids fraction / mean [-]' offset 0.4,0\n"
       "set title 'root mean square error'\nset key bottom left reverse Left samplen 1.6 spacing 1 font ',11'\nplot {}\n"
       "set title 'largest error'\n"
       "set label 50 '50 %' at 10.5,0.5 right offset 0,0.6 font ',11' textcolor rgb quiet\n"
       "plot 0.5 with lines linestyle 20 notitle, {}\nunset label 50\n"
       "set title 'error against cost, cells of {:.2f} d'\nunset key\nset xrange [10:1e6]\nset xtics autofreq\n"
       "set format x '10^{{%L}}'\nset xlabel 'CPU time per sphere [ns]'\nset yrange [lower:3]\n"
-      "set ylabel 'root mean square error [-]'\n{}"
+      "set ylabel 'root mean square error [-]' offset 0.8,0\n{}"
       "plot 'fig01_pareto.csv' skip 1 using 1:($2 > lower ? $2 : lower) with steps linestyle 20{}\n"
       "do for [m=1:{}] {{ unset label m }}\nunset logscale\nset format '%g'\nset xrange [-0.75:0.75]\nset xtics 0.25\n"
       "set xlabel 'distance of the centre beyond the face / d'\nset title 'a sphere enters a cell'\n"
       "set ylabel 'part of the sphere in the cell [-]' offset 0,0\nset yrange [-0.02:1.04]\n"
       "set key top left reverse Left samplen 1.6 spacing 1 font ',10'\nplot {}\n"
-      "set title 'its rate of change'\nset ylabel 'rate of change per diameter of way [-]'\nset yrange [-0.15:5]\n"
+      "set title 'its rate of change'\nset ylabel 'rate of change per diameter [-]'\nset yrange [-0.15:5]\n"
       "unset key\nset label 51 'centroid: 100' at 0.03,4.7 font ',11' textcolor rgb second_variant\n"
       "plot {}\nunset multiplot\n",
       styles, lower_edge, curves(mean, "linespoints", erring, meshing),

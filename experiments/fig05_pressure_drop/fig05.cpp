@@ -131,7 +131,7 @@ FigureOutput draw(const FigureContext& context) {
       "set tmargin at screen split - 24.0/height\nset bmargin at screen base + 74.0/height\n"
       "set xrange [0.034:0.066]\nset yrange [1000:1600]\nset xtics 0.04, 0.01\nset ytics 200\nunset key\n"
       "set arrow 1 from {2:.6g}, graph 0 to {2:.6g}, {3:.6g} nohead linestyle 1 linewidth 0.8\n"
-      "set label 1 'paper {2:.4f}' at {2:.6g}, graph 0.05 rotate by 90 offset 0.9,0 font ',11'\n{1}unset multiplot\n",
+      "set label 1 'paper: U_{{mf}} = {2:.4f} m/s' at {2:.6g}, {3:.6g} offset 0,0.8 font ',11'\n{1}unset multiplot\n",
       bed_weight(), plot, crossing, plateau);
   draw_figure_of_runs("fig05", script, {520, 730}, context, keys);
   return output;

@@ -96,13 +96,14 @@ std::string panels(const DataTable& history, const DataTable& fall, double end, 
   std::string script = fmt::format(
       "set multiplot\nset lmargin at screen 0.125\nset rmargin at screen 0.97\nset xrange [0:{:.3f}]\n"
       "set format x ''\nset xtics {:.6g}\nbottom = base + 58.0/height\npitch = (1 - bottom)/6\n"
-      "set label 5 'line: one sphere alone, integrated' at graph 0.99, 0.85 right font ',11' textcolor rgb law_one\n",
+      "set label 5 'red: one sphere alone in clear liquid' at graph 0.99, 0.85 right font ',11' textcolor rgb "
+      "law_one\n",
       end, tic_step(end));
   if (std::isfinite(entry))
     script += fmt::format(
         "set arrow 1 from {0:.4f}, graph 0 to {0:.4f}, graph 1 nohead linestyle 20\n"
         "set label 1 '  in the bed' at {0:.4f}, graph 0.12 font ',11' textcolor rgb quiet\n"
-        "set label 2 'in clear liquid  ' at {0:.4f}, graph 0.12 right font ',11' textcolor rgb quiet\n",
+        "set label 2 'in liquid  ' at {0:.4f}, graph 0.12 right font ',11' textcolor rgb quiet\n",
         entry);
   for (std::size_t index = 0; index < panel_list.size(); ++index) {
     const auto& panel = panel_list[index];
@@ -114,6 +115,11 @@ std::string panels(const DataTable& history, const DataTable& fall, double end, 
         lower = std::min(lower, row[static_cast<std::size_t>(panel.column) - 1]);
         upper = std::max(upper, row[static_cast<std::size_t>(panel.column) - 1]);
       }
+      if (panel.fall_column > 0)
+        for (const auto& row : fall.rows) {
+          lower = std::min(lower, row[static_cast<std::size_t>(panel.fall_column) - 1]);
+          upper = std::max(upper, row[static_cast<std::size_t>(panel.fall_column) - 1]);
+        }
     }
     const double step = tic_step(std::max(upper - lower, 1e-6));
     script += fmt::format(

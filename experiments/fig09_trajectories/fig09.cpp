@@ -99,7 +99,7 @@ FigureOutput draw(const FigureContext& context) {
       for (std::size_t drop = 1; drop <= fits.rows.size(); ++drop)
         plot += fmt::format(
             "'{}.csv' skip 1 using ($1=={} ? $2 : NaN):3 with lines linecolor rgb pale_2 linewidth 2.2, "
-            "0.2 - {:.6g}*x with lines linestyle 2 linewidth 0.9, ",
+            "0.2 - {:.6g}*x with lines linecolor rgb '#003f63' linewidth 0.9, ",
             samples.name, drop, fits.rows[drop - 1][1]);
     }
     const auto& table2 = peng_2014().table2();
@@ -136,7 +136,8 @@ FigureOutput draw(const FigureContext& context) {
       "xlabel\nunset ylabel\n"
       "set arrow 1 from 0.00, 0.5 to 0.08, 0.5 nohead linecolor rgb pale_2 linewidth 2.2\nset label 11 'drops' at "
       "0.10, 0.5\n"
-      "set arrow 2 from 0.28, 0.5 to 0.36, 0.5 nohead linestyle 2 linewidth 0.9\nset label 12 'straight lines' at "
+      "set arrow 2 from 0.28, 0.5 to 0.36, 0.5 nohead linecolor rgb '#003f63' linewidth 0.9\nset label 12 'straight "
+      "lines' at "
       "0.38, 0.5\n"
       "set arrow 3 from 0.70, 0.5 to 0.78, 0.5 nohead linestyle 1\nset label 13 'paper' at 0.80, 0.5\n"
       "plot [0:1][0:1] NaN notitle\n";

@@ -51,15 +51,16 @@ FigureOutput draw(const FigureContext& context) {
                      : "";
   const std::string script =
       "set multiplot\nset lmargin at screen 0.165\nset rmargin at screen 0.97\nset xrange [0.4:0.9]\nset xtics 0.1\n"
-      "middle = base + 0.5*(1 - base)\nset yrange [0:0.12]\nset ytics 0.02\n"
-      "set tmargin at screen 1 - 12.0/height\nset bmargin at screen middle + 22.0/height\nset format x ''\n"
-      "set ylabel \"u'_L, vector [m/s]\" offset 0.5,0\nset key top right Left reverse font ',12'\n" +
+      "middle = base + 0.5*(1 - base - 80.0/height)\nset yrange [0:0.18]\nset ytics 0.04\n"
+      "set tmargin at screen 1 - 92.0/height\nset bmargin at screen middle + 22.0/height\nset format x ''\n"
+      "set ylabel \"u'_L, vector [m/s]\" offset 0.5,0\nset key at screen 0.165, screen 1 - 8.0/height left top Left "
+      "reverse font ',12'\n" +
       missing + "plot " + band + "title 'sharp rise in the paper'" + vector +
       "\neval footer_drawn\nset tmargin at screen middle - 2.0/height\nset bmargin at screen base + 60.0/height\n"
       "set format x '%g'\nset xlabel 'voidage α_L [-]'\nset ylabel \"u'_L, vertical [m/s]\" offset 0.5,0\n"
       "unset key\nplot " +
       band + vertical + "\nunset multiplot\n";
-  draw_figure_of_runs("fig12", script, {520, 640}, context, keys);
+  draw_figure_of_runs("fig12", script, {520, 720}, context, keys);
   return output;
 }
 

@@ -63,22 +63,22 @@ FigureOutput draw(const FigureContext& context) {
       "set xrange [-0.025:0.025]\nset yrange [0:0.4]\nset ytics 0, 0.1\nset tmargin at screen 1 - 36.0/height\n"
       "set bmargin at screen base + 84.0/height\nset cbrange [{:g}:{:g}]\n"
       "set palette defined (-80 '#2166ac', -40 '#92c5de', 0 '#f7f7f7', 45 '#f4a582', 90 '#b2182b')\n"
-      "set colorbox horizontal user origin 0.075, base + 40.0/height size {:.4f}, 10.0/height\n"
+      "set colorbox horizontal user origin 0.095, base + 40.0/height size {:.4f}, 10.0/height\n"
       "set cbtics 40 out scale 0.5 offset 0,0.4 font ',12'\n"
       "set label 6 'U_L [m/s]' at screen 0.012, screen 1 - 18.0/height font ',12'\n"
       "set label 7 'vorticity [1/s]' at screen {:.4f}, screen base + 60.0/height center font ',12'\n",
       peng_2014().value("vorticity_lowest"), peng_2014().value("vorticity_highest"), 5 * 0.091 + panel_width,
-      0.075 + 0.5 * (5 * 0.091 + panel_width));
+      0.095 + 0.5 * (5 * 0.091 + panel_width));
   std::size_t place = 0;
   for (const auto& point : printed) {
     const std::string tag = fmt::format("{:.2f}", point.superficial_velocity);
     const FinishedRun* run = find_run(context, fmt::format("{}/{}", system_name, tag));
     if (run != nullptr && plane_vorticity(run->result.plane).empty()) run = nullptr;
-    const double left = 0.075 + 0.091 * static_cast<double>(place);
+    const double left = 0.095 + 0.091 * static_cast<double>(place);
     script += fmt::format(
         "set lmargin at screen {:.4f}\nset rmargin at screen {:.4f}\nset title '{}' font ',12' offset 0,-0.6\n{}\n",
         left, left + panel_width, tag,
-        place == 0 ? "set ylabel 'height z [m]' offset 1,0" : "set format y ''\nunset ylabel");
+        place == 0 ? "set ylabel 'height z [m]' offset 1.6,0" : "set format y ''\nunset ylabel");
     if (run != nullptr) {
       const DataTable table = cells(run->result.plane, "fig14_plane_" + tag);
       output.data.push_back(write_csv(table, context.out));

@@ -47,7 +47,7 @@ FigureOutput draw(const FigureContext& context) {
       "farther behind it paler. Red line: the path of its centre so far, seen from the same side. The caption of the "
       "paper's "
       "figure gives 0.65 for its third panel, its text 0.79.";
-  const double width_of_panel = 0.205, pitch = 0.295, left = 0.13;
+  const double width_of_panel = 0.205, pitch = 0.29, left = 0.15;
   const int width = 560;
   const int height_of_panel = static_cast<int>(width_of_panel * width * panel_height / 0.05);
   std::string script = fmt::format(
@@ -95,7 +95,7 @@ FigureOutput draw(const FigureContext& context) {
         "set label 2 '{:.2f}' at graph 0.5, screen base + 16.0/height center font ',12'\n{}\nplot {}\n",
         edge, edge + width_of_panel, lower, lower + panel_height, title,
         halfway == nullptr ? "textcolor rgb quiet" : "textcolor rgb '#14181d'", ours, voidages[place],
-        place == 0 ? "set ylabel 'height z [m]' offset 0.8,0" : "unset ylabel", plot);
+        place == 0 ? "set ylabel 'height z [m]' offset 1.6,0" : "unset ylabel", plot);
     if (place == 0) script += "eval footer_drawn\nunset label 3\nunset label 4\n";
   }
   draw_figure_of_runs("fig15", script + "unset multiplot\n", {width, 34 + height_of_panel + 56}, context, keys);

@@ -46,7 +46,7 @@ FigureOutput draw(const FigureContext& context) {
       "set multiplot\nset lmargin at screen 0.13\nset rmargin at screen 0.97\nset xrange [0.42:0.86]\nset xtics 0.1\n"
       "middle = base + 0.5*(1 - base)\n"
       "set tmargin at screen 1 - 12.0/height\nset bmargin at screen middle + 22.0/height\nset format x ''\n"
-      "set logscale y\nset yrange [0.02:10]\nset ylabel 'mean contacts [-]' offset 0.5,0\n"
+      "set logscale y\nset yrange [0.02:10]\nset ylabel 'mean contacts [-]' offset 1.6,0\n"
       "set key top right Left reverse font ',12'\n"
       "plot 'fig16_paper.csv' skip 1 using 1:2 with points linestyle 1 dashtype 1 title 'paper, printed'" +
       simulated[0] +

@@ -82,7 +82,10 @@ FigureOutput draw(const FigureContext& context) {
             {drop.time[i], drop.cumulative_contacts[i], drop.velocity_x[i], drop.velocity_y[i], drop.velocity_z[i]});
     if (history.rows.empty()) run = nullptr;
   }
-  if (run != nullptr) output.data.push_back(write_csv(history, context.out));
+  if (run != nullptr) {
+    output.data.push_back(write_csv(history, context.out));
+    description += fmt::format(", sampled every {:.2g} ms", 1e3 * sample_interval(run->result.drops.front()));
+  }
 
   output.caption = fmt::format(
       "Above: contacts since the release and velocity of a foreign sphere from {:.2f} to {:.2f} s after its release{}. "

@@ -73,7 +73,7 @@ FigureOutput draw(const FigureContext& context) {
       "[-]'\n"
       "plot 'fig19_kinetic_theory.csv' skip 1 using 1:2 with lines linestyle 1 title 'kinetic theory, Eqs. 6 and 7', "
       "'' skip 1 using 1:3 with lines linestyle 12 title 'kinetic theory, Carnahan-Starling', "
-      "'fig19_paper.csv' skip 1 using 1:2:3:4 with yerrorbars linecolor rgb paper linewidth 1.6 pointsize 0 title "
+      "'fig19_paper.csv' skip 1 using 1:2:1:1:3:4 with xyerrorbars linecolor rgb paper linewidth 1.6 pointsize 0 title "
       "'printed "
       "frequencies, range the axes allow'" +
       simulated + "\n";

@@ -55,9 +55,11 @@ FigureOutput draw(const FigureContext& context) {
                                               "", BedAbscissa::solid_fraction),
                                   std::string(system.title), system.line_style, context, output);
   const std::string script =
-      "set key tmargin left vertical maxrows 5 Left reverse font ',11'\nset xrange [0.15:0.6]\nset logscale y\n"
-      "set yrange [20:5000]\nset xlabel 'solid fraction α_S [-]'\nset ylabel 'collision frequency f_{coll} [1/s]'\n"
-      "plot 'fig20_straight_flight.csv' skip 1 using 1:2 with lines linestyle 14 title 'Eq. 5, straight flight, 6 in 5 "
+      "set key tmargin left vertical maxrows 5 Left reverse font ',11'\nset xrange [0.14:0.6]\nset logscale y\n"
+      "set yrange [20:5000]\nset xlabel 'solid fraction α_S [-]'\nset ylabel 'collision frequency f_{coll} [1/s]' "
+      "offset 0.5,0\n"
+      "plot 'fig20_straight_flight.csv' skip 1 using 1:2 with lines linestyle 14 title 'Eq. 5 at V_2 of Table 2, 6 in "
+      "5 "
       "mm', 'fig20_paper.csv' skip 1 using 1:2 with points linestyle 1 dashtype 1 title 'paper, printed'" +
       simulated + "\n";
   draw_figure_of_runs("fig20", script, {560, 520}, context, keys);

@@ -60,7 +60,7 @@ FigureOutput draw(const FigureContext& context) {
   output.caption = fmt::format(
       "Magnitude of the collision force on the 6 mm steel sphere over its weight, from entering the bed of 5 mm glass "
       "to "
-      "the bottom, for the first drop at six superficial velocities (1000 samples a second). Above each panel: the "
+      "the bottom, for the first drop at six superficial velocities. Above each panel: the "
       "voidage of the paper's panel and of our bed. Dashed: the range {:g} to {:g} in which the paper sees the peaks. "
       "Its "
       "curves are not available as numbers.",
@@ -69,13 +69,14 @@ FigureOutput draw(const FigureContext& context) {
       "set multiplot\nleft = 0.12\nright = 0.985\nwide = (right - left - 0.03)/2\ntop = 1 - 30.0/height\n"
       "bottom = base + 58.0/height\ngap_y = 50.0/height\nhigh = (top - bottom - 2*gap_y)/3\nset yrange [0:60]\nset "
       "ytics "
-      "20\nunset key\n";
+      "20\nunset key\n"
+      "set label 2 'paper: peaks in this range' at graph 0.98, graph 0.89 right font ',10'\n";
   for (std::size_t place = 0; place < panels.size(); ++place) {
     const Panel& panel = panels[place];
     const std::string tag = fmt::format("{:.2f}", panel.superficial_velocity);
     const std::string key = fmt::format("{}/{}", system_name, tag);
     const FinishedRun* run = find_run(context, key);
-    std::string plot, ours = "–";
+    std::string plot, ours = "–", sampling;
     if (const auto voidage = context.measurements.find("voidage_centre_of_mass/" + key);
         voidage != context.measurements.end())
       ours = fmt::format("{:.2f}", voidage->second.value);
@@ -88,6 +89,7 @@ FigureOutput draw(const FigureContext& context) {
       if (!table.rows.empty()) {
         output.data.push_back(write_csv(table, context.out));
         end = table.rows.back()[0];
+        sampling = fmt::format("sampled every {:.2g} ms", 1e3 * sample_interval(run->result.drops.front()));
         plot = fmt::format(", '{}.csv' skip 1 using 1:2 with impulses linecolor rgb ours linewidth 0.8", table.name);
       }
     }
@@ -96,10 +98,11 @@ FigureOutput draw(const FigureContext& context) {
         "set lmargin at screen left + {0}*(wide + 0.03)\nset rmargin at screen left + {0}*(wide + 0.03) + wide\n"
         "set tmargin at screen top - {1}*(high + gap_y)\nset bmargin at screen top - {1}*(high + gap_y) - high\n"
         "set title 'U_L = {2} m/s, α_L {3:.2f} (paper), {4} (ours)' font ',11' offset 0,-0.7\n"
-        "set label 1 '{5}' at graph 0.5, 0.6 center font ',12' textcolor rgb quiet\nset xrange [0:{6:.3f}]\nset xtics "
+        "set label 1 '{5}' at graph 0.5, graph 0.6 center font ',11' textcolor rgb quiet\nset xrange [0:{6:.3f}]\nset "
+        "xtics "
         "{9:g}\n{7}\n{8}\n",
-        column, row, tag, panel.voidage, ours, plot.empty() ? "not yet simulated" : "", end,
-        column == 0 ? "set format y '%g'\nset ylabel '|F_c|/mg [-]' offset 0.8,0" : "set format y ''\nunset ylabel",
+        column, row, tag, panel.voidage, ours, plot.empty() ? "not yet simulated" : sampling, end,
+        column == 0 ? "set format y '%g'\nset ylabel '|F_c|/mg [-]' offset -0.2,0" : "set format y ''\nunset ylabel",
         row == 2 ? "set xlabel 'time since entering the bed [s]' offset 0,0.4" : "unset xlabel",
         end > 5.0   ? 5.0
         : end > 2.0 ? 1.0
@@ -108,7 +111,7 @@ FigureOutput draw(const FigureContext& context) {
     script +=
         fmt::format("plot {:g} with lines linestyle 1 linewidth 0.8, {:g} with lines linestyle 1 linewidth 0.8{}\n",
                     printed.value("peak_force_lowest"), printed.value("peak_force_highest"), plot);
-    if (place == 0) script += "eval footer_drawn\n";
+    if (place == 0) script += "eval footer_drawn\nunset label 2\n";
   }
   draw_figure_of_runs("fig21", script + "unset multiplot\n", {640, 620}, context, keys);
   return output;

@@ -23,9 +23,8 @@ FigureOutput draw(const FigureContext& context) {
   output.caption =
       "Mean drag (above) and mean pressure-gradient force (below) on the 6 mm steel sphere in the bed of 5 mm glass, "
       "over "
-      "its weight, from entering the bed to the bottom. Open circles joined by a dashed line: the two ends of each "
-      "curve, "
-      "which are all that the paper prints. Filled symbols: our runs with 95 % intervals. Thin lines above: drag of "
+      "its weight, from entering the bed to the bottom. Open circles: the two ends of each curve, which "
+      "are all that the paper prints. Filled symbols: our runs with 95 % intervals. Thin lines above: drag of "
       "the "
       "named law at the mean voidage of the bed (Eq. 36) and the paper's own velocities (Table 2). Thin lines below: "
       "the "
@@ -66,9 +65,9 @@ FigureOutput draw(const FigureContext& context) {
       "set tmargin at screen 1 - 12.0/height\nset bmargin at screen middle + 22.0/height\nset format x ''\n"
       "set yrange [0:1.2]\nset ytics 0.2\nset ylabel 'drag over weight, |F_d|/mg [-]' offset 0.5,0\n"
       "set key top left Left reverse font ',11' spacing 1.05\n"
-      "plot 'fig22_mean_field_drag.csv' skip 1 using 1:2 with lines linestyle 11 title 'Gidaspow, mean field', "
-      "'' skip 1 using 1:3 with lines linestyle 12 title 'Wen and Yu, mean field', "
-      "'fig22_paper.csv' skip 1 using 1:2 with linespoints linestyle 1 title 'paper, ends of its curve'" +
+      "plot 'fig22_mean_field_drag.csv' skip 1 using 1:2 with lines linestyle 11 title 'Gidaspow at V_2 of Table 2', "
+      "'' skip 1 using 1:3 with lines linestyle 12 title 'Wen and Yu at V_2 of Table 2', "
+      "'fig22_paper.csv' skip 1 using 1:2 with points linestyle 1 dashtype 1 title 'paper, printed'" +
       drag +
       "\neval footer_drawn\nset tmargin at screen middle - 2.0/height\nset bmargin at screen base + 60.0/height\n"
       "set format x '%g'\nset xlabel 'voidage α_L [-]'\nset yrange [0:0.3]\nset ytics 0.1\n"
@@ -76,7 +75,7 @@ FigureOutput draw(const FigureContext& context) {
       "plot 'fig22_pressure_gradient.csv' skip 1 using 1:3 with lines linestyle 13 title 'homogeneous bed, "
       "ρ_M/ρ_{P2}', "
       "'' skip 1 using 1:2 with lines linestyle 14 title 'clear liquid, ρ_L/ρ_{P2}', "
-      "'fig22_paper.csv' skip 1 using 1:3 with linespoints linestyle 1 notitle" +
+      "'fig22_paper.csv' skip 1 using 1:3 with points linestyle 1 dashtype 1 notitle" +
       pressure + "\nunset multiplot\n";
   draw_figure_of_runs("fig22", script, {520, 720}, context, keys);
   return output;

@@ -24,7 +24,7 @@ FigureOutput draw(const FigureContext& context) {
   output.caption = fmt::format(
       "Mean collision force over mean drag on the 6 mm steel sphere in the bed of 5 mm glass. Dashed black: the "
       "largest "
-      "ratio that the paper states, {:g}. Open circles: Eq. 40 over the drag that the paper prints for both ends of "
+      "ratio that the paper states, {:g}. Crosses: Eq. 40 over the drag that the paper prints for both ends of "
       "its "
       "range. Thin lines: Eq. 40 over the drag of the named law at the mean voidage (Eq. 36) and the velocities of "
       "Table "
@@ -60,9 +60,10 @@ FigureOutput draw(const FigureContext& context) {
       "set key tmargin left vertical maxrows 7 Left reverse font ',12'\nset xrange [0.42:0.86]\nset yrange [0:12]\n"
       "set ytics 2\nset xlabel 'voidage α_L [-]'\nset ylabel 'collision force over drag, |F_c|/|F_d| [-]'\n"
       "plot {:g} with lines linestyle 1 title 'paper, largest ratio', 1 with lines linestyle 20 notitle, "
-      "'fig23_laws.csv' skip 1 using 1:2 with lines linestyle 11 title 'Eq. 40 over Gidaspow, mean field', "
-      "'' skip 1 using 1:3 with lines linestyle 12 title 'Eq. 40 over Wen and Yu, mean field', "
-      "'fig23_paper.csv' skip 1 using 1:2 with points linestyle 1 dashtype 1 title 'Eq. 40 over the printed drag'{}\n",
+      "'fig23_laws.csv' skip 1 using 1:2 with lines linestyle 11 title 'Eq. 40 over Gidaspow at V_2 of Table 2', "
+      "'' skip 1 using 1:3 with lines linestyle 12 title 'Eq. 40 over Wen and Yu at V_2 of Table 2', "
+      "'fig23_paper.csv' skip 1 using 1:2 with points linestyle 1 dashtype 1 pointtype 1 title 'Eq. 40 over the "
+      "printed drag'{}\n",
       printed.value("collision_drag_ratio"), simulated);
   draw_figure_of_runs("fig23", script, {520, 500}, context, keys);
   return output;

@@ -122,6 +122,12 @@ Rules load_rules() {
 
 std::vector<Number> numbers_of(const Scene& scene) {
   const Species& sphere = leading_species(scene);
+  if (sphere.density <= scene.liquid.density)
+    throw std::runtime_error(
+        fmt::format("species \"{}\" of {:g} kg/m3 does not sink in a liquid of {:g} kg/m3: there is no fall and no "
+                    "fluidised bed to "
+                    "plan for",
+                    sphere.name, sphere.density, scene.liquid.density));
   const auto liquid = liquid_of(scene);
   const double terminal = terminal_velocity(scene, sphere), minimum = minimum_velocity(scene);
   const double reynolds = reynolds_number(liquid, sphere.diameter, terminal);

@@ -53,7 +53,8 @@ FigureOutput draw(const FigureContext& context) {
     output.data.push_back(write_csv(table, context.out));
     const std::string separator = absolute.empty() ? "" : ", ";
     absolute += fmt::format(
-        "{}'{}.csv' skip 1 using (1000*$1):2:($3 > 10 ? $3 : 10):4 with yerrorbars linestyle {} notitle, "
+        "{}'{}.csv' skip 1 using (1000*$1):2:(1000*$1):(1000*$1):($3 > 10 ? $3 : 10):4 with xyerrorbars linestyle {} "
+        "notitle, "
         "'' skip 1 using (1000*$1):2 with lines linestyle {} notitle",
         separator, table.name, style, style);
     relative += fmt::format("{}'{}.csv' skip 1 using (1000*$1):6 with linespoints linestyle {} title '{}'", separator,
@@ -61,7 +62,7 @@ FigureOutput draw(const FigureContext& context) {
     ++style;
   }
   draw_figure("pressure-noise",
-              fmt::format("set multiplot layout 1,2 margins 0.09,0.985,0.17,0.95 spacing 0.11,0\n"
+              fmt::format("set multiplot layout 1,2 margins 0.115,0.985,0.17,0.95 spacing 0.115,0\n"
                           "set logscale xy\nset xrange [0.08:1.25]\nset xtics (0.1, 0.2, 0.5, 1)\n"
                           "set xlabel 'time step of the liquid [ms]'\nset ylabel 'r.m.s. of the pressure drop [Pa]'\n"
                           "unset key\nset yrange [10:2e4]\n"

@@ -114,17 +114,17 @@ FigureOutput draw(const FigureContext& context) {
   const std::string script =
       "set multiplot\nset tmargin at screen 1 - 16.0/height\nset bmargin at screen base + 74.0/height\n"
       "set key at graph 0.98, graph 0.04 right bottom Left reverse font ',11'\n"
-      "set lmargin at screen 0.06\nset rmargin at screen 0.27\nset xlabel 'U_L [m/s]'\nset ylabel 'voidage [-]'\n"
+      "set lmargin at screen 0.085\nset rmargin at screen 0.27\nset xlabel 'U_L [m/s]'\nset ylabel 'voidage [-]'\n"
       "set xrange [0.04:0.24]\nset xtics 0.04\nset yrange [0.4:0.9]\n"
       "plot 'printed_voidage_equation_36.csv' skip 1 using 1:2 with lines linecolor rgb paper title 'Eq. 36', "
       "'printed_voidage_paper.csv' skip 1 using 1:2 with points linecolor rgb paper pointtype 2 title 'printed'" +
       voidages +
       "\neval footer_drawn\nset key at screen 0.83, screen 1 - 16.0/height left top Left reverse font ',11'\n"
       "set xrange [0.42:0.92]\nset xtics 0.1\nset yrange [0.2:1.1]\nset ylabel '|F_c|/mg [-]'\n"
-      "set lmargin at screen 0.335\nset rmargin at screen 0.545\nset xlabel 'voidage of our bed [-]'\n"
+      "set lmargin at screen 0.355\nset rmargin at screen 0.54\nset xlabel 'voidage of our bed [-]'\n"
       "plot 'printed_voidage_equations.csv' skip 1 using 1:2 with lines linecolor rgb paper title 'Eq. 40'" +
       against_own +
-      "\nunset key\nset lmargin at screen 0.61\nset rmargin at screen 0.82\nset xlabel 'voidage by Eq. 36 [-]'\n"
+      "\nunset key\nset lmargin at screen 0.625\nset rmargin at screen 0.81\nset xlabel 'voidage by Eq. 36 [-]'\n"
       "plot 'printed_voidage_equations.csv' skip 1 using 1:2 with lines linecolor rgb paper notitle" +
       against_equation_36 + "\nunset multiplot\n";
   draw_figure_of_runs("printed-voidage", script, {1180, 420}, context, keys);

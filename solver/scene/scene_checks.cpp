@@ -17,6 +17,9 @@
 namespace slfb::description {
 namespace {
 
+/// Beyond these a run would take years and its counts would overflow: almost surely a wrong unit.
+constexpr double most_cells = 1e8, most_steps = 5e9;
+
 /// Solid fraction of a random close packing of equal spheres: denser than any bed that settles on its own.
 constexpr double densest_packing = 0.64;
 
@@ -189,7 +192,7 @@ class PhysicsCheck {
     const double steps = fluid.time_step / scene_.contact.time_step;
     if (steps < 1.0 - 1e-9 || std::abs(steps - std::round(steps)) > 1e-9 * steps) {
       problem("fluid.time_step", with_unit(fluid.time_step, units::time),
-              "is {} contact steps; allowed is a whole multiple of contact.time_step = {} s", shortest(steps),
+              "is {:.6g} contact steps; allowed is a whole multiple of contact.time_step = {} s", steps,
               shortest(scene_.contact.time_step));
     }
     if (fluid.cell_height > geometry.height) {
@@ -201,6 +204,12 @@ class PhysicsCheck {
       const double extent = geometry.shape == Shape::cylinder ? geometry.diameter : geometry.width[0];
       check_cell_size("fluid.cells_across", fmt::format("{}", fluid.cells_across), extent / fluid.cells_across);
     }
+    const double across = fluid.tier == FluidTier::three_dimensional ? fluid.cells_across : 1.0;
+    const double deep = geometry.shape == Shape::box ? across * geometry.width[1] / geometry.width[0] : across;
+    const double cells = across * std::max(1.0, deep) * geometry.height / fluid.cell_height;
+    if (cells > most_cells)
+      problem("fluid.cell_height", with_unit(fluid.cell_height, units::length),
+              "makes {:.3g} cells of the column; allowed are {:g}", cells, most_cells);
   }
 
   /// The averaged equations hold on cells that hold some liquid. A cell below half the smallest sphere can lie inside
@@ -258,7 +267,7 @@ class PhysicsCheck {
     const double intervals = coupling.void_fraction_interval / scene_.fluid.time_step;
     if (std::abs(intervals - std::round(intervals)) > 1e-9 * std::max(1.0, intervals))
       problem("coupling.void_fraction_interval", with_unit(coupling.void_fraction_interval, units::time),
-              "is {} liquid steps; allowed is 0 or a whole multiple of fluid.time_step = {} s", shortest(intervals),
+              "is {:.6g} liquid steps; allowed is 0 or a whole multiple of fluid.time_step = {} s", intervals,
               shortest(scene_.fluid.time_step));
     const double smoothing = scene_.coupling.smoothing_length;
     if (smoothing > column_width())
@@ -290,6 +299,12 @@ class PhysicsCheck {
         }
       }
       if (stage.kind == StageKind::drop) check_drop(i, fluidised);
+      const double repetitions = stage.kind == StageKind::drop ? static_cast<double>(stage.repetitions) : 1.0;
+      const double steps = repetitions * (stage.duration + stage.relaxation) / scene_.contact.time_step;
+      if (steps > most_steps)
+        problem(fmt::format("stage[{}].duration", i), with_unit(stage.duration, units::time),
+                "takes {:.3g} steps of contact.time_step = {} s; allowed are {:g}", steps,
+                shortest(scene_.contact.time_step), most_steps);
     }
   }
 

@@ -482,7 +482,10 @@ void fill_quiescent_defaults(Scene& scene) {
 Scene load_scene(const std::filesystem::path& file, const Overrides& overrides) {
   std::ifstream stream(file, std::ios::binary);
   std::ostringstream text;
-  if (!std::filesystem::is_regular_file(file) || !(text << stream.rdbuf())) {
+  const bool regular = std::filesystem::is_regular_file(file);
+  if (regular && stream && std::filesystem::file_size(file) == 0)
+    throw SceneError(fmt::format("{}: is empty; needed is a scene file (TOML)", file.string()));
+  if (!regular || !(text << stream.rdbuf())) {
     throw SceneError(fmt::format("{}: cannot be read; needed is a scene file (TOML)", file.string()));
   }
   return parse_scene(text.str(), file.string(), overrides);

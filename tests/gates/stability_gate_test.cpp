@@ -126,6 +126,17 @@ TEST(PlanGate, RefusesUnknownQuantities) {
   EXPECT_THROW(plan::make_plan(scene, {"colour"}, plan::load_rules()), std::invalid_argument);
 }
 
+TEST(PlanGate, RefusesSpheresThatDoNotSink) {
+  const Scene scene = load_scene(fs::path(SLFB_SOURCE_DIR) / "experiments/scenes/6in5W.toml", {"liquid.density=2230"});
+  try {
+    plan::make_plan(scene, {"voidage"}, plan::load_rules());
+    FAIL() << "no error";
+  } catch (const std::runtime_error& error) {
+    EXPECT_NE(std::string(error.what()).find("species \"glass\" of 2230 kg/m3 does not sink"), std::string::npos)
+        << error.what();
+  }
+}
+
 // Every study and map can be read and each of its scenes is valid, in both sets.
 TEST(StudyFiles, AreReadable) {
   for (const auto& file : frontier::study_files())

@@ -344,6 +344,9 @@ TEST(RunGates, HoldForTheSameRunsAndBreakForOthers) {
   EXPECT_NE(broken.reason.find("classification_velocity/6in5W/0.06 is 0.2 here and 0.1"), std::string::npos)
       << broken.reason;
   EXPECT_EQ(gate_of_drops({0.10}, {0.20, 0.21}).gate, Gate::none);
+  // CI reads the file: a broken gate that makes the command fail is a failure there too.
+  const std::string junit = claims_junit({broken});
+  EXPECT_NE(junit.find("failures=\"1\""), std::string::npos) << junit;
 }
 
 // Equal beds, three drops against five: a false alarm once in a thousand times, 20 of 20000 (the band is the 99.9 %

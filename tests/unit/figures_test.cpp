@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
+#include <nlohmann/json.hpp>
 #include <pugixml.hpp>
 #include <regex>
 #include <set>
@@ -12,9 +13,12 @@
 #include "correlations/catalogue.hpp"
 #include "experiments/claims.hpp"
 #include "experiments/figure.hpp"
+#include "experiments/figure_support.hpp"
 #include "experiments/inconsistencies.hpp"
 #include "experiments/measure.hpp"
+#include "experiments/run_files.hpp"
 #include "experiments/sphere_picture.hpp"
+#include "reports/figure_pages.hpp"
 #include "reports/gnuplot.hpp"
 #include "reports/html.hpp"
 #include "reports/markdown.hpp"
@@ -133,18 +137,22 @@ TEST_P(EveryFigure, AppearsInTheReportWithEveryClaim) {
   const Drawn drawn = draw_all(GetParam(), figures_folder);
   const auto evaluations = evaluate(load_claims(), drawn.measurements);
   const auto odd_rows = inconsistencies();
-  write_report({drawn.profile, drawn.profile, drawn.runs, drawn.outputs, evaluations, odd_rows}, figures_folder,
-               folder.path() / "report");
+  write_report({drawn.profile, drawn.profile, drawn.runs, drawn.outputs, evaluations, odd_rows, folder.path()},
+               figures_folder, folder.path() / "report");
   fs::remove_all(figures_folder);  // the report is a folder of its own
 
-  const fs::path index = folder.path() / "report" / "index.html";
-  pugi::xml_document page;
-  const auto parsed = page.load_file(index.c_str(), pugi::parse_default, pugi::encoding_utf8);
-  ASSERT_TRUE(parsed) << parsed.description() << " at byte " << parsed.offset;
-  std::set<std::string> ids;
-  for (const auto& found : page.select_nodes("//*[@id]")) {
-    const std::string id = found.node().attribute("id").value();
-    EXPECT_TRUE(ids.insert(id).second) << id << " is used twice";
+  std::set<std::string> ids, targets;
+  for (const char* name :
+       {"index.html", "claims.html", "inconsistencies.html", "methods.html", "laws.html", "provenance.html"}) {
+    pugi::xml_document page;
+    const auto parsed =
+        page.load_file((folder.path() / "report" / name).c_str(), pugi::parse_default, pugi::encoding_utf8);
+    ASSERT_TRUE(parsed) << name << ": " << parsed.description() << " at byte " << parsed.offset;
+    for (const auto& found : page.select_nodes("//*[@id]")) {
+      const std::string id = found.node().attribute("id").value();
+      EXPECT_TRUE(ids.insert(id).second) << id << " is used twice";
+    }
+    for (const auto& found : page.select_nodes("//@href | //@src")) targets.insert(found.attribute().value());
   }
   for (const auto& evaluation : evaluations) EXPECT_TRUE(ids.contains(evaluation.claim.id)) << evaluation.claim.id;
   for (const auto& figure : figures()) EXPECT_TRUE(ids.contains(figure.id)) << figure.id;
@@ -175,15 +183,52 @@ TEST_P(EveryFigure, AppearsInTheReportWithEveryClaim) {
       EXPECT_TRUE(fs::exists(file.parent_path() / target.substr(0, target.find('#')))) << file << ": " << target;
     }
   }
-  for (const auto& found : page.select_nodes("//@href | //@src")) {
-    const std::string target = found.attribute().value();
+  for (const std::string& target : targets) {
     if (target.starts_with("https://doi.org/")) continue;
-    if (target.starts_with("#")) {
-      EXPECT_TRUE(ids.contains(target.substr(1))) << target;
-    } else {
-      EXPECT_TRUE(fs::exists(folder.path() / "report" / target)) << target;
-    }
+    const auto hash = target.find('#');
+    EXPECT_TRUE(fs::exists(folder.path() / "report" / target.substr(0, hash))) << target;
+    if (hash == std::string::npos) continue;
+    EXPECT_TRUE(ids.contains(target.substr(hash + 1))) << target;
   }
+  const auto listed = nlohmann::json::parse(read(folder.path() / "report" / "claims.json")).at("claims").size();
+  EXPECT_EQ(listed, evaluations.size());
+}
+
+// A committed quick run, thinned, must not hide the whole one of the full profile.
+TEST(FindRun, PrefersTheCurrentRunThatRecordsMost) {
+  const Folder folder;
+  const Profile profile = synthetic::profile();
+  std::vector<FinishedRun> runs = synthetic::runs(profile);
+  runs.resize(1);
+  const std::string key = run_key(runs[0].spec);
+  FinishedRun whole = runs[0], thinned = runs[0];
+  ASSERT_FALSE(whole.result.snapshots.empty());
+  thinned.result.snapshots.clear();
+  const auto found = [&](std::vector<FinishedRun> candidates) {
+    const FinishedRun* run = find_run({profile, candidates, {}, folder.path(), folder.path()}, key);
+    return run == nullptr ? std::ptrdiff_t{-1} : run - candidates.data();
+  };
+  EXPECT_EQ(found({thinned, whole}), 1);
+  EXPECT_EQ(found({whole, thinned}), 0);
+  whole.stale = true;
+  EXPECT_EQ(found({whole, thinned}), 1);
+  EXPECT_EQ(found({}), -1);
+}
+
+TEST(Report, OffersTheResultOfEachRun) {
+  const Folder folder;
+  fs::create_directories(folder.path() / "figures");
+  Drawn drawn;
+  drawn.runs = synthetic::runs(drawn.profile);
+  drawn.runs.resize(1);
+  FinishedRun& run = drawn.runs.front();
+  run.result.name = "0123456789abcdef";
+  save_result(run.result, result_file(folder.path(), run.result.name));
+  const std::vector<Evaluation> evaluations;
+  const auto odd_rows = inconsistencies();
+  write_report({drawn.profile, drawn.profile, drawn.runs, drawn.outputs, evaluations, odd_rows, folder.path()},
+               folder.path() / "figures", folder.path() / "report");
+  EXPECT_EQ(load_result(folder.path() / "report" / "runs" / run_download(run)).name, run.result.name);
 }
 
 INSTANTIATE_TEST_SUITE_P(Figures, EveryFigure, testing::Bool(),

@@ -2,11 +2,14 @@
 
 #include <csignal>
 #include <filesystem>
+#include <fstream>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
 #include "experiments/run_campaign.hpp"
 #include "experiments/run_files.hpp"
+#include "experiments/run_lock.hpp"
 #include "experiments/stop_signals.hpp"
 
 namespace slfb {
@@ -77,6 +80,54 @@ TEST_F(RunCampaignTest, FinishedRunsAreFoundAndMissingOnesLeftOut) {
   EXPECT_EQ(runs.front().result.name, scene_hash(runs.front().scene));
   EXPECT_FALSE(runs.front().published);
   EXPECT_FALSE(runs.front().stale);
+}
+
+TEST_F(RunCampaignTest, TwoProcessesDoNotSimulateTheSameRun) {
+  const NamedScene scene{"sphere", falling_sphere(0.2)};
+  const auto directory = run_directory(out_, scene_hash(scene.scene));
+  std::filesystem::create_directories(directory);
+  {
+    const RunLock other(directory);
+    const CampaignOutcome outcome = run_scenes({scene}, options());
+    ASSERT_EQ(outcome.failed, 1);
+    EXPECT_NE(outcome.failures[0].find("another slfb simulates this scene"), std::string::npos) << outcome.failures[0];
+  }
+  EXPECT_EQ(run_scenes({scene}, options()).finished, 1);
+}
+
+TEST_F(RunCampaignTest, ADamagedCheckpointIsNamedAndLeftInPlace) {
+  const NamedScene scene{"sphere", falling_sphere(0.2)};
+  const auto checkpoint = run_directory(out_, scene_hash(scene.scene)) / "checkpoint.h5";
+  std::filesystem::create_directories(checkpoint.parent_path());
+  std::ofstream(checkpoint) << "not HDF5";
+  const CampaignOutcome outcome = run_scenes({scene}, options());
+  ASSERT_EQ(outcome.failed, 1);
+  for (const std::string& part : {checkpoint.string(), "remove " + checkpoint.parent_path().string()})
+    EXPECT_NE(outcome.failures[0].find(part), std::string::npos) << outcome.failures[0];
+  EXPECT_TRUE(std::filesystem::exists(checkpoint));
+}
+
+TEST_F(RunCampaignTest, ADamagedResultIsNamedWithTheWayOut) {
+  const auto file = result_file(out_, "0123456789abcdef");
+  std::filesystem::create_directories(file.parent_path());
+  std::ofstream(file) << "not HDF5";
+  try {
+    load_own_result(out_, "0123456789abcdef");
+    FAIL() << "no error";
+  } catch (const std::runtime_error& error) {
+    EXPECT_EQ(std::string(error.what()).find(file.string()), 0U) << error.what();
+    EXPECT_NE(std::string(error.what()).find("remove it to have it simulated again"), std::string::npos);
+  }
+}
+
+TEST_F(RunCampaignTest, WhatCannotBePublishedIsAFailureAndTheResultStays) {
+  const NamedScene scene{"sphere", falling_sphere(0.2)};
+  CampaignOptions publishing = options();
+  publishing.finished = [](std::size_t) { throw std::runtime_error("the disk is full"); };
+  const CampaignOutcome outcome = run_scenes({scene}, publishing);
+  ASSERT_EQ(outcome.failed, 1);
+  EXPECT_EQ(outcome.failures[0], "sphere: the disk is full");
+  EXPECT_TRUE(std::filesystem::exists(result_file(out_, scene_hash(scene.scene))));
 }
 
 TEST(StopSignalsTest, TheFirstSignalRaisesTheFlagOnly) {

@@ -4,11 +4,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
+#include <fstream>
 #include <functional>
 #include <numbers>
 #include <regex>
 #include <set>
 #include <string>
+
+#include "solver/coupling/drag_relaxation.hpp"
 
 namespace slfb {
 namespace {
@@ -211,6 +215,9 @@ INSTANTIATE_TEST_SUITE_P(
                 "0.1875 m high"},
         Mistake{"diameter = \"6 mm\"", "diameter = \"50 mm\"", "species[1].diameter", "\"50 mm\"",
                 "does not fit between the walls; allowed is less than 0.05 m"},
+        // A slip of a unit: 1e14 s in steps of 5e-5 s.
+        Mistake{"duration = \"20 s\"", "duration = 1e14", "stage[1].duration", "100000000000000",
+                "takes 2e+18 steps of contact.time_step = 5e-05 s; allowed are 5e+09"},
         Mistake{"name = \"steel\"", "name = \"glass\"", "species[1].name", "\"glass\"",
                 "the name of an earlier species"},
         Mistake{"name = \"steel\"", "name = \"steel/2\"", "species[1].name", "\"steel/2\"", "letters, digits"},
@@ -340,6 +347,28 @@ TEST(SceneRules, UnreadableFileIsNamed) {
             std::string::npos);
 }
 
+// A slip of a unit: 8 x 8 cells by 1.6e9 layers.
+TEST(SceneRules, GridBeyondMemoryIsReportedAtItsCells) {
+  const std::string message = message_of([] { parse_scene(valid_scene, "scene.toml", {"geometry.height=1e7"}); });
+  EXPECT_NE(message.find("fluid.cell_height = \"6.25 mm\": makes 1.02e+11 cells of the column; allowed are 1e+08"),
+            std::string::npos)
+      << message;
+}
+
+TEST(SceneRules, EmptyFileIsNamed) {
+  const auto file = std::filesystem::path(testing::TempDir()) / "slfb_empty_scene.toml";
+  std::ofstream(file).close();
+  EXPECT_NE(message_of([&] { load_scene(file); }).find("slfb_empty_scene.toml: is empty"), std::string::npos);
+  std::filesystem::remove(file);
+}
+
+// Editors of other systems: line ends of two characters, a byte order mark.
+TEST(SceneFile, LineEndsAndByteOrderMarkChangeNothing) {
+  std::string text = "\xef\xbb\xbf";
+  for (const char character : valid_scene) text += character == '\n' ? std::string("\r\n") : std::string(1, character);
+  EXPECT_EQ(scene_hash(parse_scene(text, "scene.toml")), scene_hash(parse_scene(valid_scene, "scene.toml")));
+}
+
 TEST(SceneRules, LargeContactStepCanBeAllowed) {
   std::string text = replaced(valid_scene, "time_step = \"5e-5 s\"", "time_step = \"1e-4 s\"");
   EXPECT_THROW(parse_scene(text, "scene.toml"), SceneError);
@@ -394,6 +423,15 @@ TEST(SceneFile, BoundIsThatOfTheLightestPair) {
   EXPECT_DOUBLE_EQ(contact_time_step_bound(scene), std::sqrt(glass * steel / (glass + steel) / 1e4));
   scene.species[0].count = 0;  // the steel sphere alone meets only the walls
   EXPECT_DOUBLE_EQ(contact_time_step_bound(scene), std::sqrt(steel / 1e4));
+}
+
+// At rest in a packed bed Gidaspow's law is the viscous part of Ergun's, β = 150 (1-ε)² μ/(ε d²), and
+// ρ dv/dt = -β v/(1-ε).
+TEST(PackedRelaxationTime, IsThatOfErgunsPackedBed) {
+  const Scene scene =
+      parse_scene(valid_scene, "scene.toml", {"liquid.viscosity=1.4", "coupling.drag_law=gidaspow-1994"});
+  const double expected = 2230.0 * 0.4 * 0.005 * 0.005 / (150.0 * 0.6 * 1.4);
+  EXPECT_NEAR(coupling::packed_relaxation_time(scene), expected, 1e-4 * expected);
 }
 
 TEST(SceneFile, QuiescentTierNeedsNoFluidNumerics) {
