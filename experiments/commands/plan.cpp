@@ -11,6 +11,7 @@
 #include <optional>
 
 #include "experiments/measure.hpp"
+#include "experiments/plan/figure_plans.hpp"
 #include "experiments/plan/plan.hpp"
 #include "experiments/run_campaign.hpp"
 #include "experiments/run_estimate.hpp"
@@ -31,6 +32,7 @@ constexpr const char* examples = R"(Examples:
   slfb plan experiments/scenes/6in5W.toml --for minimum_fluidisation_velocity    a root, nothing to simulate
   slfb plan experiments/scenes/single_sphere.toml                  terminal velocity by an ODE, with the answer
   slfb plan scene.toml --for voidage --verify                      run the richer choices and compare
+  slfb plan --figures                                              the cheapest rung for each figure of the paper
   slfb run scene.toml --plan auto                                  simulate as planned
 
 Quantities: terminal_velocity, minimum_fluidisation_velocity, voidage, pressure_drop, classification_velocity (V_2),
@@ -45,7 +47,7 @@ struct Options {
   Overrides overrides;
   fs::path out = SLFB_BUILD_DIR;
   int jobs = 2;
-  bool verify = false, json = false;
+  bool verify = false, json = false, figures = false;
 };
 
 const std::map<std::string, std::string>& measured_names() {
@@ -201,6 +203,11 @@ void print_plan(const Options& options, const Scene& scene, const Plan& made) {
 }
 
 int run(const Options& options) {
+  if (options.figures) {
+    fmt::print("{}", plan::figure_plans_text(plan::figure_plans()));
+    return 0;
+  }
+  if (options.scene.empty()) throw std::invalid_argument("a scene is needed, or --figures");
   const Scene scene = load_scene(options.scene, options.overrides);
   const auto rules = plan::load_rules();
   const Plan made = plan::make_plan(scene, options.asked.empty() ? plan::usual_questions(scene) : options.asked, rules);
@@ -245,11 +252,13 @@ int run(const Options& options) {
 void add_plan_command(CLI::App& app) {
   auto options = std::make_shared<Options>();
   CLI::App* command = app.add_subcommand("plan", "Which models and steps a scene needs for what is asked of it");
-  command->add_option("SCENE", options->scene, "Scene file (TOML)")->required()->check(CLI::ExistingFile);
+  command->add_option("SCENE", options->scene, "Scene file (TOML)")->check(CLI::ExistingFile);
   command->add_option("--for", options->asked, "Quantities that are asked for")->delimiter(',')->type_name("Q,...");
   command->add_option("--set", options->overrides, "Replace a value of the scene: KEY=VALUE, may be repeated")
       ->allow_extra_args(false);
   command->add_flag("--verify", options->verify, "Run each richer choice and compare with the bands");
+  command->add_flag("--figures", options->figures,
+                    "Instead of a scene: the cheapest rung for each figure of the paper");
   command->add_flag("--json", options->json, "Write the plan as JSON");
   command->add_option("--out", options->out, "Folder of runs/, for --verify")->capture_default_str();
   command->add_option("--jobs", options->jobs, "Simulations side by side, for --verify")

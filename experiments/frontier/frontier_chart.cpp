@@ -115,7 +115,7 @@ FigureOutput draw_frontier(const Study& study, const ReducedStudy& reduced, cons
   }
 
   const bool both_costs = shown.size() <= 3;
-  const std::size_t columns_drawn = std::min<std::size_t>(3, shown.size());
+  const std::size_t columns_drawn = std::min<std::size_t>(shown.size() > 6 ? 4 : 3, shown.size());
   const std::size_t rows_drawn = both_costs ? 2 : (shown.size() + columns_drawn - 1) / columns_drawn;
   std::string plots;
   bool key_drawn = false;
@@ -202,7 +202,7 @@ FigureOutput draw_frontier(const Study& study, const ReducedStudy& reduced, cons
                     gnuplot_text(lines[k]), (foot - 4.0 - 16.0 * (static_cast<double>(k) + 0.5)) / height);
   commands +=
       fmt::format("set multiplot layout {},{} margins {:.4f},0.985,{:.4f},{:.4f} spacing 0.075,{:.4f}\n", rows_drawn,
-                  columns_drawn, 62.0 / width, (foot + 54.0) / height, 1.0 - (head + 20.0) / height, 108.0 / height);
+                  columns_drawn, 78.0 / width, (foot + 58.0) / height, 1.0 - (head + 20.0) / height, 108.0 / height);
   // The text below belongs to the page, not to each of its plots.
   const std::string clear = fmt::format("unset for [tag=901:{}] label tag\n", 900 + lines.size());
   const auto after_first = plots.find("unset object 1\n");
