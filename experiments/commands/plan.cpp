@@ -28,7 +28,7 @@ using plan::Plan;
 
 constexpr const char* examples = R"(Examples:
   slfb plan experiments/scenes/6in5W.toml                          what the usual questions need: V_2 and voidage
-  slfb plan experiments/scenes/6in5W.toml --for force_ratio        only |F_c|/mg: one dimension is enough
+  slfb plan experiments/scenes/6in5W.toml --for voidage            only the voidage: one dimension is enough
   slfb plan experiments/scenes/6in5W.toml --for minimum_fluidisation_velocity    a root, nothing to simulate
   slfb plan experiments/scenes/single_sphere.toml                  terminal velocity by an ODE, with the answer
   slfb plan scene.toml --for voidage --verify                      run the richer choices and compare
@@ -129,6 +129,15 @@ std::optional<std::vector<Verification>> verify(const Scene& scene, const Plan& 
   scenes.push_back({"solid step: halved",
                     plan::changed(planned, {fmt::format("contact.time_step={}", 0.5 * planned.contact.time_step)})});
   ablated.push_back(&halved);
+  static const Decision liquid_halved{"liquid step", "as planned", "", "", "", {}, {}, "halved", {}, 0.0};
+  if (planned.fluid.tier != FluidTier::quiescent) {
+    const double liquid = 0.5 * planned.fluid.time_step;
+    scenes.push_back({"liquid step: halved",
+                      plan::changed(planned, {fmt::format("fluid.time_step={}", liquid),
+                                              fmt::format("contact.time_step={}",
+                                                          liquid / std::ceil(liquid / planned.contact.time_step - 1e-9))})});
+    ablated.push_back(&liquid_halved);
+  }
   if (run_scenes(scenes, {.out = options.out, .jobs = options.jobs}).unfinished() > 0) return std::nullopt;
   const Answers ours = answers_of(planned, options.out, made.asked);
   std::vector<Verification> checks;

@@ -56,6 +56,8 @@ std::string compared(const Scene& scene, const Scene& planned) {
     if (own > wanted * (1.0 + tolerance)) richer.emplace_back(what);
   };
   compare("tier", static_cast<int>(scene.fluid.tier), static_cast<int>(planned.fluid.tier), 0.0);
+  if (planned.fluid.tier == FluidTier::three_dimensional && scene.fluid.tier == planned.fluid.tier)
+    compare("cells", 1.0 / scene.fluid.cell_height, 1.0 / planned.fluid.cell_height, 0.02);
   compare("stiffness", scene.contact.stiffness, planned.contact.stiffness, 1e-9);
   compare("solid step", steps_per_contact(scene), steps_per_contact(planned), 0.125);
   compare("liquid step", 1.0 / scene.fluid.time_step, 1.0 / planned.fluid.time_step, 0.125);

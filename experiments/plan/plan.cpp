@@ -135,22 +135,24 @@ double effect_on(const Rule& rule, const std::string& quantity) {
 }
 
 /// The choice to give up when a quantity leaves its band: of those that a later rule of the same subject betters, the
-/// one with the largest effect. Null when all are inside or nothing is better.
+/// one with the largest effect. Null when all are inside, or where even the best of all later rules would not do.
 const Rule* too_coarse(const Rules& rules, const std::vector<const Rule*>& chosen, const std::vector<Number>& numbers,
                        const std::vector<std::string>& asked) {
   for (const std::string& quantity : asked) {
-    double squares = 0.0;
-    for (const Rule* rule : chosen) squares += std::pow(effect_on(*rule, quantity), 2);
-    if (std::sqrt(squares) <= rules.bands.at(quantity)) continue;
+    double squares = 0.0, least_squares = 0.0;
     const Rule* worst = nullptr;
     for (const Rule* rule : chosen) {
-      const bool bettered = std::ranges::any_of(rules.list, [&](const Rule& later) {
-        return &later > rule && later.subject == rule->subject && holds(later, numbers, asked) &&
-               effect_on(later, quantity) < effect_on(*rule, quantity);
-      });
-      if (bettered && (worst == nullptr || effect_on(*rule, quantity) > effect_on(*worst, quantity))) worst = rule;
+      const double own = effect_on(*rule, quantity);
+      double least = own;
+      for (const Rule& later : rules.list)
+        if (&later > rule && later.subject == rule->subject && holds(later, numbers, asked))
+          least = std::min(least, effect_on(later, quantity));
+      squares += own * own;
+      least_squares += least * least;
+      if (least < own && (worst == nullptr || own > effect_on(*worst, quantity))) worst = rule;
     }
-    if (worst != nullptr) return worst;
+    const double band = rules.bands.at(quantity);
+    if (std::sqrt(squares) > band && std::sqrt(least_squares) <= band) return worst;
   }
   return nullptr;
 }
@@ -185,6 +187,7 @@ Rules load_rules() {
     rule.richer_set = one.texts("richer_set");
     rule.steps_per_contact = one.number("steps_per_contact", 0.0);
     rule.liquid_steps_per_relaxation = one.number("liquid_steps_per_relaxation", 0.0);
+    if (rule.liquid_steps_per_relaxation > 0.0) rule.longest_liquid_step = one.number("longest_liquid_step");
     rule.effect = one.numbers_by_name("effect");
     one.reject_others();
     for (const auto& [quantity, error] : rule.effect)
@@ -301,7 +304,7 @@ Plan make_plan(const Scene& scene, const std::vector<std::string>& asked, const 
   for (const auto& [rule, decision] : pending) {
     if (rule->liquid_steps_per_relaxation > 0.0) {
       const auto relaxation = std::ranges::find(plan.numbers, "relaxation_time", &Number::name)->value;
-      liquid_step = std::min(1e-3, rounded_down(relaxation / rule->liquid_steps_per_relaxation));
+      liquid_step = std::min(rule->longest_liquid_step, rounded_down(relaxation / rule->liquid_steps_per_relaxation));
       plan.decisions[decision].choice += fmt::format(": {:g} s", liquid_step);
     }
   }

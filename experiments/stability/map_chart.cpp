@@ -115,7 +115,10 @@ FigureOutput draw_map(const Map& map, const SolvedMap& solved, const std::filesy
     const double margin = 0.05 * (right - left);
     commands += fmt::format("set xrange [{:.6g}:{:.6g}]\n", left - margin, right + margin);
   }
-  if (high / low > 50.0) commands += "set format y '10^{%L}'\n";
+  if (high / low > 50.0)
+    commands += "set format y '10^{%L}'\n";
+  else if (low < 1e-3)
+    commands += "set format y '%.0e'\n";
   const double bottom = low / 1.8, top = high * 1.8;
   // Arrows of a twelfth of the height, out of the range in which was looked.
   const bool upward = map.fails_high;
@@ -132,9 +135,9 @@ FigureOutput draw_map(const Map& map, const SolvedMap& solved, const std::filesy
                           upward ? 0.04 : 0.96);
   const std::size_t rows = (map.series.size() + theory_elements.size() + 1) / 2;
   commands += fmt::format(
-      "set bmargin {}\nset key at graph 0.5, graph -0.17 center top vertical maxrows {} Left reverse font ',11' width "
+      "set bmargin {}\nset key at graph 0.5, character {} center top vertical maxrows {} Left reverse font ',11' width "
       "2\n",
-      5 + rows, rows);
+      5 + rows, static_cast<double>(rows) + 1.3, rows);
   draw_figure(id, commands + "plot " + elements + "\n", {620, 500}, folder);
   std::set<std::string> told;
   for (const Boundary& b : solved.boundaries) {

@@ -104,8 +104,9 @@ TEST(PlanGate, TerminalVelocityIsAnOrdinaryDifferentialEquation) {
   EXPECT_NEAR(plan::answer_by_formula(scene, made).at("terminal_velocity"), velocity, 1e-6 * velocity);
 }
 
-// What is asked decides: a root for U_mf, one dimension for the force balance, three for V_2 in a narrow column; a soft
-// spring for V_2, the scene's own for peak forces.
+// What is asked decides: a root for U_mf, one dimension for the voidage, three for V_2 in a narrow column and for the
+// force balance, which one dimension misses by its band; a soft spring for V_2, the scene's own for peak forces and
+// counted collisions.
 TEST(PlanGate, ChoosesNoMoreThanTheQuestionNeeds) {
   const Scene scene = load_scene(fs::path(SLFB_SOURCE_DIR) / "experiments/scenes/6in5W.toml");
   const auto rules = plan::load_rules();
@@ -113,12 +114,14 @@ TEST(PlanGate, ChoosesNoMoreThanTheQuestionNeeds) {
   const auto planned = [&](const std::string& quantity) {
     return plan::changed(scene, plan::make_plan(scene, {quantity}, rules).overrides);
   };
-  EXPECT_EQ(planned("force_ratio").fluid.tier, FluidTier::one_dimensional);
+  EXPECT_EQ(planned("voidage").fluid.tier, FluidTier::one_dimensional);
+  EXPECT_EQ(planned("force_ratio").fluid.tier, FluidTier::three_dimensional);
   EXPECT_EQ(planned("classification_velocity").fluid.tier, FluidTier::three_dimensional);
   EXPECT_EQ(planned("classification_velocity").contact.stiffness, 1e3);
   EXPECT_EQ(planned("peak_force").contact.stiffness, 1e4);
+  EXPECT_EQ(planned("collision_frequency").contact.stiffness, 1e4);
   // The richer the plan, the more it costs; and the planned scene is a valid one, whose steps resolve its contacts.
-  const auto cheap = plan::make_plan(scene, {"force_ratio"}, rules);
+  const auto cheap = plan::make_plan(scene, {"voidage"}, rules);
   EXPECT_LT(cheap.core_seconds, cheap.given_core_seconds);
   EXPECT_GE(3.1416 * contact_time_step_bound(planned("classification_velocity")) /
                 planned("classification_velocity").contact.time_step,
