@@ -81,8 +81,7 @@ CampaignOptions campaign_options(const Options& options, std::size_t runs) {
 /// Puts a finished result of a profile where it can be committed; figures use it where nothing is simulated.
 void publish(const Profile& profile, const RunSpec& spec, const std::filesystem::path& out) {
   const auto result = result_file(out, scene_hash(load_run_scene(spec)));
-  if (std::filesystem::exists(result))
-    publish_result(spec, load_result(result), profile.whole.contains(run_key(spec)));
+  if (std::filesystem::exists(result)) publish_result(spec, load_result(result), profile.whole.contains(run_key(spec)));
 }
 
 /// Returns the exit status, which tells of simulations that failed or were interrupted.

@@ -132,10 +132,11 @@ std::optional<std::vector<Verification>> verify(const Scene& scene, const Plan& 
   static const Decision liquid_halved{"liquid step", "as planned", "", "", "", {}, {}, "halved", {}, 0.0};
   if (planned.fluid.tier != FluidTier::quiescent) {
     const double liquid = 0.5 * planned.fluid.time_step;
-    scenes.push_back({"liquid step: halved",
-                      plan::changed(planned, {fmt::format("fluid.time_step={}", liquid),
-                                              fmt::format("contact.time_step={}",
-                                                          liquid / std::ceil(liquid / planned.contact.time_step - 1e-9))})});
+    scenes.push_back(
+        {"liquid step: halved",
+         plan::changed(planned, {fmt::format("fluid.time_step={}", liquid),
+                                 fmt::format("contact.time_step={}",
+                                             liquid / std::ceil(liquid / planned.contact.time_step - 1e-9))})});
     ablated.push_back(&liquid_halved);
   }
   if (run_scenes(scenes, {.out = options.out, .jobs = options.jobs}).unfinished() > 0) return std::nullopt;

@@ -69,8 +69,11 @@ std::optional<std::pair<double, double>> error_of(const SolvedStudy& solved, con
 
 std::string percent(const std::optional<std::pair<double, double>>& error) {
   if (!error) return "–";
-  return error->second > 0.0 ? fmt::format("{:.2g} ± {:.2g} %", 100.0 * error->first, 100.0 * error->second)
-                             : fmt::format("{:.2g} %", 100.0 * error->first);
+  const auto digits = [](double share) {
+    return share < 0.995 ? fmt::format("{:.2g}", 100.0 * share) : fmt::format("{:.0f}", 100.0 * share);
+  };
+  return error->second > 0.0 ? fmt::format("{} ± {} %", digits(error->first), digits(error->second))
+                             : fmt::format("{} %", digits(error->first));
 }
 
 FigureOutput drawn(const std::string& id, std::string caption, const std::vector<TableColumn>& columns,
@@ -140,9 +143,9 @@ FigureOutput draw_knees(const FigureContext& context) {
                 {"\ndefault, at", 170, true},
                 {"\nquantity", 400, true},
                 {"\nerror", 700, false, "ours"},
-                {"best of what\nis cheaper", 905},
-                {"cheapest of what\nis better", 1110}},
-               rows, data, notes, 1124, context.out);
+                {"best of what\nis cheaper", 940},
+                {"cheapest of what\nis better", 1170}},
+               rows, data, notes, 1184, context.out);
 }
 
 // --- what follows for the paper
@@ -235,7 +238,7 @@ FigureOutput draw_paper_steps(const FigureContext& context) {
       "change smaller than its 95 % interval is not told from none.",
       {{"\nsetting of the paper", 14, true},
        {"\nmeasured by", 330, true},
-       {"the paper's", 640},
+       {"\nthe paper", 640},
        {"limit, or\nresolved", 790},
        {"of the limit,\nor change", 950, false, "ours"},
        {"\n", 970, true}},
@@ -269,10 +272,10 @@ FigureOutput draw_examples(const FigureContext& context) {
       rows.push_back({title, with, "not yet computed", fmt::format("{:.2g} %", 100.0 * band), "", ""});
       continue;
     }
-    const char* verdict = error->first + error->second <= band  ? "enough"
-                          : error->first - error->second > band ? "not enough"
-                          : error->first <= band                ? "enough, as far as told"
-                                                                : "not decided";
+    const char* verdict = error->first + error->second <= band            ? "enough"
+                          : error->first - error->second > band           ? "not enough"
+                          : error->first <= band && error->second <= band ? "enough, as far as told"
+                                                                          : "not decided";
     rows.push_back({title, with, percent(error), fmt::format("{:.2g} %", 100.0 * band),
                     fmt::format("{:.2g} s", point->cpu_seconds), verdict});
     data.rows.push_back({static_cast<double>(rows.size()), error->first, error->second, band, point->cpu_seconds});

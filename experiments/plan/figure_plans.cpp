@@ -169,7 +169,7 @@ Figure planned_figures() {
                                 {"springs, step of\nsolids/liquid", 210, true},
                                 {"error\nof band", 460},
                                 {"planned\n[s/s]", 540, false, "ours"},
-                                {"paper's\n[s/s]", 620},
+                                {"the paper\n[s/s]", 620},
                                 {"profile\n[s/s]", 700},
                                 {"\nthe profile beside the plan", 725, true}},
                                rows, width),
