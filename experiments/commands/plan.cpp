@@ -28,7 +28,7 @@ using plan::Plan;
 
 constexpr const char* examples = R"(Examples:
   slfb plan experiments/scenes/6in5W.toml                          what the usual questions need: V_2 and voidage
-  slfb plan experiments/scenes/6in5W.toml --for voidage            only the voidage: one dimension is enough
+  slfb plan experiments/scenes/6in5W_one-dimensional.toml --for collision_frequency   one dimension is enough
   slfb plan experiments/scenes/6in5W.toml --for minimum_fluidisation_velocity    a root, nothing to simulate
   slfb plan experiments/scenes/single_sphere.toml                  terminal velocity by an ODE, with the answer
   slfb plan scene.toml --for voidage --verify                      run the richer choices and compare

@@ -179,6 +179,16 @@ FigureOutput draw_frontier(const Study& study, const ReducedStudy& reduced, cons
         high = std::max(high, found->second.error);
       }
       low = std::max(low, 1e-12);
+      // Points of one cost leave gnuplot without a range of its own.
+      double least = std::numeric_limits<double>::infinity(), most = 0.0;
+      for (const ReducedPoint& point : reduced.points) {
+        const auto count = point.counts.find(study.count);
+        const double value = cost == 2 ? point.cpu_seconds : count == point.counts.end() ? nothing : count->second;
+        least = std::fmin(least, value);
+        most = std::fmax(most, value);
+      }
+      plots += most < 1.01 * least ? fmt::format("set xrange [{:.6g}:{:.6g}]\n", 0.5 * least, 2.0 * most)
+                                   : std::string("set xrange [*:*]\n");
       plots += fmt::format("top = {:.6g}\nset yrange [{:.6g}:{:.6g}]\n", 5.0 * high, 0.4 * low, 9.0 * high);
       if (!key_drawn) plots += "set key at screen 0.5, 0.985 center top vertical maxrows 2 width 2 font ',12'\n";
       plots += fmt::format("plot {}\nunset object 1\nset key off\n", elements);

@@ -104,9 +104,9 @@ TEST(PlanGate, TerminalVelocityIsAnOrdinaryDifferentialEquation) {
   EXPECT_NEAR(plan::answer_by_formula(scene, made).at("terminal_velocity"), velocity, 1e-6 * velocity);
 }
 
-// What is asked decides: a root for U_mf, one dimension for the voidage, three for V_2 in a narrow column and for the
-// force balance, which one dimension misses by its band; a soft spring for V_2, the scene's own for peak forces and
-// counted collisions.
+// What is asked decides: a root for U_mf, one dimension for collisions in a periodic slice, three for V_2 in a narrow
+// column and for voidage and force balance, which one dimension misses by more than their bands; a soft spring for V_2,
+// the scene's own for peak forces and counted collisions.
 TEST(PlanGate, ChoosesNoMoreThanTheQuestionNeeds) {
   const Scene scene = load_scene(fs::path(SLFB_SOURCE_DIR) / "experiments/scenes/6in5W.toml");
   const auto rules = plan::load_rules();
@@ -114,7 +114,10 @@ TEST(PlanGate, ChoosesNoMoreThanTheQuestionNeeds) {
   const auto planned = [&](const std::string& quantity) {
     return plan::changed(scene, plan::make_plan(scene, {quantity}, rules).overrides);
   };
-  EXPECT_EQ(planned("voidage").fluid.tier, FluidTier::one_dimensional);
+  EXPECT_EQ(planned("voidage").fluid.tier, FluidTier::three_dimensional);
+  const Scene slice = load_scene(fs::path(SLFB_SOURCE_DIR) / "experiments/scenes/6in5W_one-dimensional.toml");
+  EXPECT_EQ(plan::changed(slice, plan::make_plan(slice, {"collision_frequency"}, rules).overrides).fluid.tier,
+            FluidTier::one_dimensional);
   EXPECT_EQ(planned("force_ratio").fluid.tier, FluidTier::three_dimensional);
   EXPECT_EQ(planned("classification_velocity").fluid.tier, FluidTier::three_dimensional);
   EXPECT_EQ(planned("classification_velocity").contact.stiffness, 1e3);
