@@ -110,7 +110,9 @@ int run(const Options& options) {
     ReducedStudy reduced = frontier::reduce(study, options.set == "quick" ? Set::quick : Set::full, store);
     if (reduced.points.empty()) {
       reduced = frontier::load_reduced(study, options.out);
-    } else {
+    } else if (std::ranges::all_of(trials_of(study),
+                                   [&](const auto& trial) { return store.find(trial).has_value(); })) {
+      // Half a study must not take the place of a whole one.
       frontier::save_reduced(reduced, frontier::reduced_file(options.out, study.id));
       if (options.publish) frontier::save_reduced(reduced, frontier::committed_file(study.id));
     }

@@ -12,6 +12,7 @@
 
 #include "experiments/commands/above_zero.hpp"
 #include "experiments/measure.hpp"
+#include "experiments/plan/figure_plans.hpp"
 #include "experiments/plan/plan.hpp"
 #include "experiments/run_campaign.hpp"
 #include "experiments/run_estimate.hpp"
@@ -28,10 +29,11 @@ using plan::Plan;
 
 constexpr const char* examples = R"(Examples:
   slfb plan experiments/scenes/6in5W.toml                          what the usual questions need: V_2 and voidage
-  slfb plan experiments/scenes/6in5W.toml --for force_ratio        only |F_c|/mg: one dimension is enough
+  slfb plan experiments/scenes/6in5W_one-dimensional.toml --for collision_frequency   one dimension is enough
   slfb plan experiments/scenes/6in5W.toml --for minimum_fluidisation_velocity    a root, nothing to simulate
   slfb plan experiments/scenes/single_sphere.toml                  terminal velocity by an ODE, with the answer
   slfb plan scene.toml --for voidage --verify                      run the richer choices and compare
+  slfb plan --figures                                              the cheapest rung for each figure of the paper
   slfb run scene.toml --plan auto                                  simulate as planned
 
 Quantities: terminal_velocity, minimum_fluidisation_velocity, voidage, pressure_drop, classification_velocity (V_2),
@@ -46,7 +48,7 @@ struct Options {
   Overrides overrides;
   fs::path out = SLFB_BUILD_DIR;
   int jobs = 2;
-  bool verify = false, json = false;
+  bool verify = false, json = false, figures = false;
 };
 
 const std::map<std::string, std::string>& measured_names() {
@@ -128,6 +130,16 @@ std::optional<std::vector<Verification>> verify(const Scene& scene, const Plan& 
   scenes.push_back({"solid step: halved",
                     plan::changed(planned, {fmt::format("contact.time_step={}", 0.5 * planned.contact.time_step)})});
   ablated.push_back(&halved);
+  static const Decision liquid_halved{"liquid step", "as planned", "", "", "", {}, {}, "halved", {}, 0.0};
+  if (planned.fluid.tier != FluidTier::quiescent) {
+    const double liquid = 0.5 * planned.fluid.time_step;
+    scenes.push_back(
+        {"liquid step: halved",
+         plan::changed(planned, {fmt::format("fluid.time_step={}", liquid),
+                                 fmt::format("contact.time_step={}",
+                                             liquid / std::ceil(liquid / planned.contact.time_step - 1e-9))})});
+    ablated.push_back(&liquid_halved);
+  }
   if (run_scenes(scenes, {.out = options.out, .jobs = options.jobs}).unfinished() > 0) return std::nullopt;
   const Answers ours = answers_of(planned, options.out, made.asked);
   std::vector<Verification> checks;
@@ -202,6 +214,11 @@ void print_plan(const Options& options, const Scene& scene, const Plan& made) {
 }
 
 int run(const Options& options) {
+  if (options.figures) {
+    fmt::print("{}", plan::figure_plans_text(plan::figure_plans()));
+    return 0;
+  }
+  if (options.scene.empty()) throw std::invalid_argument("a scene is needed, or --figures");
   const Scene scene = load_scene(options.scene, options.overrides);
   const auto rules = plan::load_rules();
   const Plan made = plan::make_plan(scene, options.asked.empty() ? plan::usual_questions(scene) : options.asked, rules);
@@ -246,11 +263,13 @@ int run(const Options& options) {
 void add_plan_command(CLI::App& app) {
   auto options = std::make_shared<Options>();
   CLI::App* command = app.add_subcommand("plan", "Which models and steps a scene needs for what is asked of it");
-  command->add_option("SCENE", options->scene, "Scene file (TOML)")->required()->check(CLI::ExistingFile);
+  command->add_option("SCENE", options->scene, "Scene file (TOML)")->check(CLI::ExistingFile);
   command->add_option("--for", options->asked, "Quantities that are asked for")->delimiter(',')->type_name("Q,...");
   command->add_option("--set", options->overrides, "Replace a value of the scene: KEY=VALUE, may be repeated")
       ->allow_extra_args(false);
   command->add_flag("--verify", options->verify, "Run each richer choice and compare with the bands");
+  command->add_flag("--figures", options->figures,
+                    "Instead of a scene: the cheapest rung for each figure of the paper");
   command->add_flag("--json", options->json, "Write the plan as JSON");
   command->add_option("--out", options->out, "Folder of runs/, for --verify")->capture_default_str();
   command->add_option("--jobs", options->jobs, "Simulations side by side, for --verify")

@@ -141,7 +141,8 @@ int run(const Options& options) {
                      numerics_version, {}};
     if (!options.no_run && whole) {
       whole = compute(map, options, solved);
-      stability::save_solved(solved, stability::solved_file(options.out, map.id));
+      // Half a map must not take the place of a whole one.
+      if (whole) stability::save_solved(solved, stability::solved_file(options.out, map.id));
       if (options.publish && whole) stability::save_solved(solved, stability::committed_file(map.id));
     } else {
       solved = stability::load_solved(map, options.out);

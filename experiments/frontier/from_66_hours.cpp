@@ -1,6 +1,7 @@
 #include "experiments/frontier/from_66_hours.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <cmath>
 #include <fstream>
@@ -15,50 +16,85 @@
 namespace slfb {
 namespace {
 
-struct Step {
-  std::string what;
-  double hours;               ///< of wall-clock time for 23 s of the paper's run, on two cores
-  std::string measured;       ///< where the time comes from
-  std::string study, series;  ///< of the study whose errors belong to the step; empty: none
+/// A setting of a study.
+struct Place {
+  std::string study, series;
   double axis;
 };
 
-/// The steps of from_66_hours.toml.
-std::vector<Step> load_steps() {
+struct Step {
+  std::string what;
+  double hours;               ///< of wall-clock time for 23 s of the paper's run
+  std::string measured;       ///< where the time comes from
+  std::vector<Place> prices;  ///< whose errors belong to the step
+};
+
+constexpr double simulated_seconds = 23.0;  ///< of the paper's run
+
+Place place_of(studies::TableReader& table) {
+  Place place{table.text("study"), table.text("series"), table.number("axis")};
+  table.reject_others();
+  return place;
+}
+
+struct SolvedPlace {
+  frontier::Study study;
+  frontier::ReducedStudy reduced;
+  const frontier::ReducedPoint* point;  ///< in `reduced`; null when not computed
+
+  SolvedPlace(const Place& place, const std::filesystem::path& results)
+      : study(frontier::load_study(
+            std::filesystem::path(SLFB_SOURCE_DIR) / "experiments" / "frontier" / "studies" / (place.study + ".toml"),
+            frontier::Set::full)),
+        reduced(frontier::load_reduced(study, results)),
+        point(nullptr) {
+    for (const auto& one : reduced.points)
+      if (one.series == place.series && std::abs(one.axis - place.axis) <= 1e-9 * std::abs(place.axis)) point = &one;
+  }
+};
+
+/// The steps of from_66_hours.toml: hours as printed, seconds of wall-clock time per simulated second, or the CPU time
+/// of a study's setting.
+std::vector<Step> load_steps(const std::filesystem::path& results) {
   const auto file = std::filesystem::path(SLFB_SOURCE_DIR) / "experiments" / "frontier" / "from_66_hours.toml";
   const toml::table parsed = studies::parse_table(file);
   studies::TableReader table(parsed, file.string());
   std::vector<Step> steps;
   for (studies::TableReader& one : table.tables("step")) {
-    steps.push_back({one.text("what"), one.number("hours"), one.text("measured"), one.text("study", ""),
-                     one.text("series", ""), one.number("axis", 0.0)});
+    Step step{one.text("what"), std::numeric_limits<double>::quiet_NaN(), one.text("measured"), {}};
+    if (one.has("hours")) {
+      step.hours = one.number("hours");
+    } else if (one.has("cost")) {
+      studies::TableReader cost = one.table("cost");
+      const SolvedPlace solved(place_of(cost), results);
+      if (solved.point != nullptr) step.hours = solved.point->cpu_seconds * simulated_seconds / 3600.0;
+    } else {
+      step.hours = one.number("wall_seconds_per_second") * simulated_seconds / 3600.0;
+    }
+    for (studies::TableReader& price : one.tables("price")) step.prices.push_back(place_of(price));
     one.reject_others();
+    steps.push_back(std::move(step));
   }
   table.reject_others();
   return steps;
 }
 
-/// "V_2 3 ± 5 %, voidage 0.4 ± 0.2 %": what a study found for the setting of a step.
-std::string price_of(const Step& step, const std::filesystem::path& results) {
-  if (step.study.empty()) return "";
-  const auto folder = std::filesystem::path(SLFB_SOURCE_DIR) / "experiments" / "frontier" / "studies";
-  const auto study = frontier::load_study(folder / (step.study + ".toml"), frontier::Set::full);
-  const auto reduced = frontier::load_reduced(study, results);
-  std::string text;
-  for (const auto& point : reduced.points) {
-    if (point.series != step.series || std::abs(point.axis - step.axis) > 1e-9 * std::abs(step.axis)) continue;
-    for (const auto& quantity : study.quantities) {
-      const auto found = point.values.find(quantity);
-      if (found == point.values.end() || !std::isfinite(found->second.error)) continue;
-      text += fmt::format("{}{} {:.1f}", text.empty() ? "" : ", ",
-                          studies::find_quantity(studies::find_problem(study.problem), quantity).title,
-                          100.0 * found->second.error);
-      if (std::isfinite(found->second.error_half_width))
-        text += fmt::format(" ± {:.1f}", 100.0 * found->second.error_half_width);
-      text += " %";
-    }
+/// "V_2 3 ± 5 %, voidage 0.4 ± 0.2 %": what a study found for a setting of a step.
+std::string price_of(const Place& place, const std::filesystem::path& results) {
+  const SolvedPlace solved(place, results);
+  if (solved.point == nullptr) return fmt::format("not yet measured: slfb frontier {}", place.study);
+  std::vector<std::string> parts;
+  for (const auto& quantity : solved.study.quantities) {
+    const auto found = solved.point->values.find(quantity);
+    if (found == solved.point->values.end() || !std::isfinite(found->second.error)) continue;
+    parts.push_back(fmt::format("{} {:.1f}",
+                                studies::find_quantity(studies::find_problem(solved.study.problem), quantity).title,
+                                100.0 * found->second.error));
+    if (std::isfinite(found->second.error_half_width))
+      parts.back() += fmt::format(" ± {:.1f}", 100.0 * found->second.error_half_width);
+    parts.back() += " %";
   }
-  return text.empty() ? fmt::format("not yet measured: slfb frontier {}", step.study) : text;
+  return fmt::format("{} at {:g} ({}): {}", place.series, place.axis, place.study, fmt::join(parts, ", "));
 }
 
 FigureOutput draw(const FigureContext& context) {
@@ -68,16 +104,16 @@ FigureOutput draw(const FigureContext& context) {
       "the profile quick, one change after the other. What a change costs in each quantity is listed below, with the "
       "study "
       "that measured it; the error is that of the setting against the study's reference.";
-  const auto steps = load_steps();
+  const auto steps = load_steps(context.results);
   DataTable table{"from-66-hours", {"number [-]", "wall-clock time [h]", "of the step before [-]"}, {}};
   std::string tics;
   for (std::size_t k = 0; k < steps.size(); ++k) {
     table.rows.push_back({static_cast<double>(k), steps[k].hours,
                           k == 0 ? std::numeric_limits<double>::quiet_NaN() : steps[k - 1].hours / steps[k].hours});
     tics += fmt::format("{}{} {}", k == 0 ? "" : ", ", gnuplot_text(steps[k].what), k);
-    const std::string price = price_of(steps[k], context.results);
-    output.notes.push_back(fmt::format("{}: {:.3g} h ({}){}{}", steps[k].what, steps[k].hours, steps[k].measured,
-                                       price.empty() ? "." : "; errors: ", price));
+    std::string note = fmt::format("{}: {:.3g} h ({}).", steps[k].what, steps[k].hours, steps[k].measured);
+    for (const Place& price : steps[k].prices) note += fmt::format(" Errors of {}.", price_of(price, context.results));
+    output.notes.push_back(std::move(note));
   }
   output.data.push_back(write_csv(table, context.out));
   const int height = 60 * static_cast<int>(steps.size()) + 90;

@@ -115,7 +115,7 @@ FigureOutput draw_frontier(const Study& study, const ReducedStudy& reduced, cons
   }
 
   const bool both_costs = shown.size() <= 3;
-  const std::size_t columns_drawn = std::min<std::size_t>(3, shown.size());
+  const std::size_t columns_drawn = std::min<std::size_t>(shown.size() > 6 ? 4 : 3, shown.size());
   const std::size_t rows_drawn = both_costs ? 2 : (shown.size() + columns_drawn - 1) / columns_drawn;
   std::string plots;
   bool key_drawn = false;
@@ -179,6 +179,16 @@ FigureOutput draw_frontier(const Study& study, const ReducedStudy& reduced, cons
         high = std::max(high, found->second.error);
       }
       low = std::max(low, 1e-12);
+      // Points of one cost leave gnuplot without a range of its own.
+      double least = std::numeric_limits<double>::infinity(), most = 0.0;
+      for (const ReducedPoint& point : reduced.points) {
+        const auto count = point.counts.find(study.count);
+        const double value = cost == 2 ? point.cpu_seconds : count == point.counts.end() ? nothing : count->second;
+        least = std::fmin(least, value);
+        most = std::fmax(most, value);
+      }
+      plots += most < 1.01 * least ? fmt::format("set xrange [{:.6g}:{:.6g}]\n", 0.5 * least, 2.0 * most)
+                                   : std::string("set xrange [*:*]\n");
       plots += fmt::format("top = {:.6g}\nset yrange [{:.6g}:{:.6g}]\n", 5.0 * high, 0.4 * low, 9.0 * high);
       if (!key_drawn) plots += "set key at screen 0.5, 0.985 center top vertical maxrows 2 width 2 font ',12'\n";
       plots += fmt::format("plot {}\nunset object 1\nset key off\n", elements);
@@ -202,7 +212,7 @@ FigureOutput draw_frontier(const Study& study, const ReducedStudy& reduced, cons
                     gnuplot_text(lines[k]), (foot - 4.0 - 16.0 * (static_cast<double>(k) + 0.5)) / height);
   commands +=
       fmt::format("set multiplot layout {},{} margins {:.4f},0.985,{:.4f},{:.4f} spacing 0.075,{:.4f}\n", rows_drawn,
-                  columns_drawn, 62.0 / width, (foot + 54.0) / height, 1.0 - (head + 20.0) / height, 108.0 / height);
+                  columns_drawn, 78.0 / width, (foot + 58.0) / height, 1.0 - (head + 20.0) / height, 108.0 / height);
   // The text below belongs to the page, not to each of its plots.
   const std::string clear = fmt::format("unset for [tag=901:{}] label tag\n", 900 + lines.size());
   const auto after_first = plots.find("unset object 1\n");

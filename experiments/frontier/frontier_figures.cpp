@@ -2,6 +2,8 @@
 
 #include "experiments/frontier/from_66_hours.hpp"
 #include "experiments/frontier/frontier_chart.hpp"
+#include "experiments/frontier/study_tables.hpp"
+#include "experiments/plan/figure_plans.hpp"
 #include "experiments/stability/map_chart.hpp"
 
 namespace slfb {
@@ -13,6 +15,8 @@ std::vector<std::string> no_runs(const Profile&) { return {}; }
 
 std::vector<Figure> study_figures() {
   std::vector<Figure> list{from_66_hours()};
+  for (Figure& table : study_tables()) list.push_back(std::move(table));
+  list.push_back(plan::planned_figures());
   for (const auto& file : frontier::study_files()) {
     const auto study = frontier::load_study(file, frontier::Set::full);
     list.push_back({"frontier-" + study.id, study.title, no_runs,

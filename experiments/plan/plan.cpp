@@ -81,6 +81,82 @@ bool holds(const Rule& rule, const std::vector<Number>& numbers, const std::vect
   return rule.only.empty() || std::ranges::all_of(asked, [&](const auto& q) { return in(rule.only, q); });
 }
 
+/// What rules say of any scene as overrides of this one: "stage[drop].repetitions=5" for every drop by its number,
+/// "cells_in_bed_diameters=1" as so many cubes across that are about as wide as a sphere of the bed, and
+/// "cells_in_diameters=1.25" the same, but wide enough for the largest sphere. Others as they are.
+Overrides for_scene(const Scene& scene, const std::vector<std::string>& overrides) {
+  Overrides list;
+  const auto cubes = [&](double width_wished) {
+    const double width =
+        scene.geometry.shape == Shape::cylinder ? scene.geometry.diameter : scene.geometry.width.front();
+    const auto across = std::max(1L, std::lround(std::floor(width / width_wished * (1.0 + 1e-9))));
+    list.push_back(fmt::format("fluid.cells_across={}", across));
+    list.push_back(fmt::format("fluid.cell_height={}", width / static_cast<double>(across)));
+  };
+  const double diameter = leading_species(scene).diameter;
+  double largest = 0.0;
+  for (const Species& species : scene.species) largest = std::max(largest, species.diameter);
+  for (const std::string& one : overrides) {
+    const std::string key = one.substr(0, one.find('=')), value = one.substr(key.size() + 1);
+    const bool drop = key.starts_with("stage[drop]"), fluidise = key.starts_with("stage[fluidise]");
+    if (key == "cells_in_bed_diameters") {
+      cubes(std::stod(value) * diameter);
+    } else if (key == "cells_in_diameters") {
+      cubes(std::max(std::stod(value) * diameter, largest));
+    } else if (drop || fluidise) {
+      for (std::size_t i = 0; i < scene.stages.size(); ++i)
+        if (scene.stages[i].kind == (drop ? StageKind::drop : StageKind::fluidise))
+          list.push_back(fmt::format("stage[{}]{}", i, one.substr(one.find(']') + 1)));
+    } else {
+      list.push_back(one);
+    }
+  }
+  return list;
+}
+
+/// Of each subject the first rule whose conditions are true and that is not refused. A tier without simulation leaves
+/// nothing else to choose.
+std::vector<const Rule*> first_that_hold(const Rules& rules, const std::vector<Number>& numbers,
+                                         const std::vector<std::string>& asked, const std::set<const Rule*>& refused) {
+  std::vector<const Rule*> chosen;
+  std::set<std::string> decided;
+  for (const Rule& rule : rules.list) {
+    if (decided.contains(rule.subject) || refused.contains(&rule) || !holds(rule, numbers, asked)) continue;
+    decided.insert(rule.subject);
+    chosen.push_back(&rule);
+    if (rule.without_simulation()) return {&rule};
+  }
+  return chosen;
+}
+
+double effect_on(const Rule& rule, const std::string& quantity) {
+  const auto found = rule.effect.find(quantity);
+  return found == rule.effect.end() ? 0.0 : found->second;
+}
+
+/// The choice to give up when a quantity leaves its band: of those that a later rule of the same subject betters, the
+/// one with the largest effect. Null when all are inside, or where even the best of all later rules would not do.
+const Rule* too_coarse(const Rules& rules, const std::vector<const Rule*>& chosen, const std::vector<Number>& numbers,
+                       const std::vector<std::string>& asked) {
+  for (const std::string& quantity : asked) {
+    double squares = 0.0, least_squares = 0.0;
+    const Rule* worst = nullptr;
+    for (const Rule* rule : chosen) {
+      const double own = effect_on(*rule, quantity);
+      double least = own;
+      for (const Rule& later : rules.list)
+        if (&later > rule && later.subject == rule->subject && holds(later, numbers, asked))
+          least = std::min(least, effect_on(later, quantity));
+      squares += own * own;
+      least_squares += least * least;
+      if (least < own && (worst == nullptr || own > effect_on(*worst, quantity))) worst = rule;
+    }
+    const double band = rules.bands.at(quantity);
+    if (std::sqrt(squares) > band && std::sqrt(least_squares) <= band) return worst;
+  }
+  return nullptr;
+}
+
 double core_seconds(const Scene& scene) { return estimate_run(scene).core_seconds; }
 
 /// Estimates of answers without simulation: a root, a short integration [s].
@@ -111,6 +187,7 @@ Rules load_rules() {
     rule.richer_set = one.texts("richer_set");
     rule.steps_per_contact = one.number("steps_per_contact", 0.0);
     rule.liquid_steps_per_relaxation = one.number("liquid_steps_per_relaxation", 0.0);
+    if (rule.liquid_steps_per_relaxation > 0.0) rule.longest_liquid_step = one.number("longest_liquid_step");
     rule.effect = one.numbers_by_name("effect");
     one.reject_others();
     for (const auto& [quantity, error] : rule.effect)
@@ -141,6 +218,9 @@ std::vector<Number> numbers_of(const Scene& scene) {
   // Time in which the drag alone would take up the terminal velocity.
   const double relaxation = terminal / (gravity * (1.0 - scene.liquid.density / sphere.density));
   const bool walls = scene.geometry.shape == Shape::cylinder || scene.fluid.wall != LateralBoundary::periodic;
+  double drops = 0.0;
+  for (const Stage& stage : scene.stages)
+    if (stage.kind == StageKind::drop) drops += stage.repetitions;
   const double stiffness = scene.contact.law == "linear" ? scene.contact.stiffness : 0.0;
   return {{"archimedes_number", archimedes_number(sphere_of(sphere), liquid), "Ar of the bed's spheres"},
           {"terminal_reynolds_number", reynolds, "Re at the terminal velocity"},
@@ -154,6 +234,7 @@ std::vector<Number> numbers_of(const Scene& scene) {
           {"cell_over_largest", cell / largest, "cell in diameters of the largest sphere"},
           {"velocity_over_minimum", scene.liquid.superficial_velocity / minimum, "U_L over U_mf: 1 is the packed bed"},
           {"velocity_over_terminal", scene.liquid.superficial_velocity / terminal, "U_L over u_t: 1 is wash-out"},
+          {"drops", drops, "spheres dropped, one after the other"},
           {"relaxation_time", relaxation, "of the drag at the terminal velocity [s]"},
           {"liquid_steps_per_relaxation", relaxation / scene.fluid.time_step, "in the scene as it stands"},
           {"steps_per_contact", std::numbers::pi * contact_time_step_bound(scene) / scene.contact.time_step,
@@ -185,42 +266,36 @@ Plan make_plan(const Scene& scene, const std::vector<std::string>& asked, const 
   plan.asked = asked;
   plan.numbers = numbers_of(scene);
   plan.given_core_seconds = core_seconds(scene);
-  std::set<std::string> decided;
+  std::set<const Rule*> refused;
+  auto chosen = first_that_hold(rules, plan.numbers, asked, refused);
+  for (const Rule* rule = too_coarse(rules, chosen, plan.numbers, asked); rule != nullptr;
+       rule = too_coarse(rules, chosen, plan.numbers, asked)) {
+    refused.insert(rule);
+    chosen = first_that_hold(rules, plan.numbers, asked, refused);
+  }
   struct Pending {
     const Rule* rule;
     std::size_t decision;
   };
   std::vector<Pending> pending;
-  for (const Rule& rule : rules.list) {
-    if (decided.contains(rule.subject) || !holds(rule, plan.numbers, asked)) continue;
-    // A choice that leaves the band of a quantity gives way to a later one, if there is one.
-    const auto outside = std::ranges::any_of(asked, [&](const std::string& quantity) {
-      const auto found = rule.effect.find(quantity);
-      return found != rule.effect.end() && found->second > rules.bands.at(quantity);
-    });
-    if (outside && std::any_of(&rule + 1, rules.list.data() + rules.list.size(), [&](const Rule& later) {
-          return later.subject == rule.subject && holds(later, plan.numbers, asked);
-        }))
-      continue;
-    decided.insert(rule.subject);
-    // Without a simulation there is nothing else to choose.
-    if (rule.subject == "tier" && rule.set.empty()) plan.by_formula = true;
-    Decision decision{rule.subject, rule.choice, rule.why,    rule.source, rule.evidence,
-                      rule.set,     {},          rule.richer, {},          0.0};
+  for (const Rule* rule : chosen) {
+    plan.by_formula = plan.by_formula || rule->without_simulation();
+    Decision decision{
+        rule->subject, rule->choice, rule->why, rule->source, rule->evidence, for_scene(scene, rule->set), {},
+        rule->richer,  {},           0.0};
     for (const std::string& quantity : asked)
-      if (const auto found = rule.effect.find(quantity); found != rule.effect.end()) {
+      if (const auto found = rule->effect.find(quantity); found != rule->effect.end()) {
         decision.effect[quantity] = found->second;
         plan.effect[quantity] = std::hypot(plan.effect[quantity], found->second);
       }
     plan.decisions.push_back(decision);
-    pending.push_back({&rule, plan.decisions.size() - 1});
-    if (plan.by_formula) break;
+    pending.push_back({rule, plan.decisions.size() - 1});
   }
   for (const std::string& quantity : asked) plan.band[quantity] = rules.bands.at(quantity);
   if (plan.by_formula) {
     plan.core_seconds = formula_core_seconds;
     Decision& tier = plan.decisions.front();
-    tier.richer_overrides = pending.front().rule->richer_set;
+    tier.richer_overrides = for_scene(scene, pending.front().rule->richer_set);
     tier.richer_core_seconds = plan.given_core_seconds;
     return plan;
   }
@@ -235,7 +310,7 @@ Plan make_plan(const Scene& scene, const std::vector<std::string>& asked, const 
   for (const auto& [rule, decision] : pending) {
     if (rule->liquid_steps_per_relaxation > 0.0) {
       const auto relaxation = std::ranges::find(plan.numbers, "relaxation_time", &Number::name)->value;
-      liquid_step = std::min(1e-3, rounded_down(relaxation / rule->liquid_steps_per_relaxation));
+      liquid_step = std::min(rule->longest_liquid_step, rounded_down(relaxation / rule->liquid_steps_per_relaxation));
       plan.decisions[decision].choice += fmt::format(": {:g} s", liquid_step);
     }
   }
@@ -258,7 +333,7 @@ Plan make_plan(const Scene& scene, const std::vector<std::string>& asked, const 
   for (const auto& [rule, number] : pending) {
     Decision& decision = plan.decisions[number];
     if (decision.richer.empty()) continue;
-    decision.richer_overrides = rule->richer_set;
+    decision.richer_overrides = for_scene(scene, rule->richer_set);
     if (rule->richer_set.empty()) {
       // "the scene's own": whatever the rule replaced.
       if (rule->subject == "contact stiffness")

@@ -23,6 +23,10 @@ struct Rule {
   std::map<std::string, double> effect;      ///< relative error by quantity [-]
   double steps_per_contact = 0.0;            ///< 0: says nothing of the solid step
   double liquid_steps_per_relaxation = 0.0;  ///< 0: says nothing of the liquid step
+  double longest_liquid_step = 0.0;          ///< however long the relaxation takes [s]
+
+  /// A tier that changes nothing of the scene answers by a formula.
+  [[nodiscard]] bool without_simulation() const { return subject == "tier" && set.empty(); }
 };
 
 struct Rules {

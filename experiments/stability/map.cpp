@@ -113,7 +113,7 @@ Map load_map(const std::filesystem::path& file, Set set) {
   for (const MapSeries& series : map.series)
     for (const double value : map.x_values) {
       try {
-        map.trial(series, value, map.y_low).check();
+        for (const double end : {map.y_low, map.y_high}) map.trial(series, value, end).check();
       } catch (const std::exception& error) {
         throw std::runtime_error(fmt::format("{}: {}", file.string(), error.what()));
       }

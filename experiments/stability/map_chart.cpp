@@ -76,8 +76,10 @@ FigureOutput draw_map(const Map& map, const SolvedMap& solved, const std::filesy
                             points[s % points.size()], gnuplot_text(map.series[s].name));
     if (any(5))
       elements += fmt::format(
-          ", '{}.csv' skip 1 using 1:5:(0):(arrow) with vectors head filled linecolor rgb '{}' linewidth 2 notitle",
-          table.name, colour);
+          ", '{}.csv' skip 1 using 1:5:(0):($5 > {:.6g} ? 0.45*$5 : -0.35*$5) with vectors head filled linecolor rgb "
+          "'{}' "
+          "linewidth 2 notitle",
+          table.name, std::sqrt(map.y_low * map.y_high), colour);
     // A theory that depends on the method is drawn in its colour, one for all once and in grey.
     for (std::size_t t = 0; t < map.theories.size(); ++t) {
       std::string key = map.theories[t].name;
@@ -115,13 +117,14 @@ FigureOutput draw_map(const Map& map, const SolvedMap& solved, const std::filesy
     const double margin = 0.05 * (right - left);
     commands += fmt::format("set xrange [{:.6g}:{:.6g}]\n", left - margin, right + margin);
   }
-  if (high / low > 50.0) commands += "set format y '10^{%L}'\n";
+  if (high / low > 50.0)
+    commands += "set format y '10^{%L}'\n";
+  else if (low < 1e-3)
+    commands += "set format y '%.0e'\n";
   const double bottom = low / 1.8, top = high * 1.8;
-  // Arrows of a twelfth of the height, out of the range in which was looked.
   const bool upward = map.fails_high;
   commands += fmt::format("set yrange [{:.6g}:{:.6g}]\nset xlabel {}\nset ylabel {}\n", bottom, top,
                           gnuplot_text(map.x_label), gnuplot_text(map.y_label));
-  commands += fmt::format("arrow = {:.6g}\n", upward ? map.y_high * 0.45 : -map.y_low * 0.35);
   for (std::size_t m = 0; m < map.marks.size(); ++m)
     commands += fmt::format("set label {} {} at {:.6g}, {:.6g} {} font ',11' front\n", 200 + m,
                             gnuplot_text(map.marks[m].text), map.marks[m].x, map.marks[m].y,
@@ -132,9 +135,9 @@ FigureOutput draw_map(const Map& map, const SolvedMap& solved, const std::filesy
                           upward ? 0.04 : 0.96);
   const std::size_t rows = (map.series.size() + theory_elements.size() + 1) / 2;
   commands += fmt::format(
-      "set bmargin {}\nset key at graph 0.5, graph -0.17 center top vertical maxrows {} Left reverse font ',11' width "
+      "set bmargin {}\nset key at graph 0.5, character {} center top vertical maxrows {} Left reverse font ',11' width "
       "2\n",
-      5 + rows, rows);
+      5 + rows, static_cast<double>(rows) + 1.3, rows);
   draw_figure(id, commands + "plot " + elements + "\n", {620, 500}, folder);
   std::set<std::string> told;
   for (const Boundary& b : solved.boundaries) {

@@ -40,6 +40,25 @@ const std::vector<std::pair<std::string, Formula>>& formulas() {
          const double solids = parameters.at("solids");
          return 2.0 / (1.0 / (1.0 - solids) + 1.0 / (parameters.at("density_ratio") * solids));
        }},
+      // The same with a bed's own β: the slope of drag over slip in the homogeneous bed that the velocity carries, by
+      // its
+      // response to slightly heavier spheres. NaN where there is no such bed.
+      {"explicit-exchange-of-bed",
+       [](const Scene& scene, const studies::Parameters&) {
+         const Species& sphere = scene.species.front();
+         const auto law = find_drag_law(scene.coupling.drag_law);
+         const LiquidProperties liquid{scene.liquid.density, scene.liquid.viscosity};
+         const auto [voidage, regime] = fluidisation::bed_voidage(law, {sphere.diameter, sphere.density}, liquid,
+                                                                  scene.liquid.superficial_velocity, 0.4);
+         if (regime != fluidisation::BedRegime::expanded) return std::nan("");
+         const double solids = 1.0 - voidage, heavier = 1e-3 * sphere.density;
+         const double faster =
+             fluidisation::superficial_velocity(law, {sphere.diameter, sphere.density + heavier}, liquid, voidage);
+         // Slip is U/α, drag on a volume of the bed α α_S (ρ_S - ρ_L) g.
+         const double slope =
+             voidage * voidage * solids * heavier * gravity / (faster - scene.liquid.superficial_velocity);
+         return 2.0 / (slope * (1.0 / (voidage * liquid.density) + 1.0 / (solids * sphere.density)));
+       }},
       {"minimum-fluidisation",
        [](const Scene& scene, const studies::Parameters&) { return superficial_velocity(scene, 0.4); }},
       {"wash-out", [](const Scene& scene, const studies::Parameters&) { return superficial_velocity(scene, 1.0); }}};

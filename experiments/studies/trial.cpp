@@ -88,7 +88,9 @@ TrialResult solve(const Trial& trial) {
     result = problem.solve(scene, parameters, trial.replicate);
   } catch (const std::runtime_error& error) {
     result = {};
-    result.failure = error.what();
+    // Where a run left its last state is of no use to who reads a study.
+    const std::string reason = error.what();
+    result.failure = reason.substr(0, reason.find("; state saved in "));
     result.cpu_seconds = thread_cpu_seconds() - start;
   }
   result.machine = machine_name();

@@ -3,13 +3,14 @@
 
 #include <cmath>
 #include <filesystem>
-#include <numbers>
 #include <stdexcept>
+#include <utility>
 
 #include "correlations/classification/force_balance.hpp"
 #include "correlations/fluidisation/bed_expansion.hpp"
 #include "experiments/measure.hpp"
 #include "experiments/studies/problems/problem_list.hpp"
+#include "solver/dem/particles.hpp"
 #include "solver/fluid/column_grid.hpp"
 #include "solver/one_particle.hpp"
 #include "solver/simulation.hpp"
@@ -83,6 +84,26 @@ TrialResult simulate(const Scene& scene, const Parameters&, int) {
   return result;
 }
 
+/// Buoyant weight of all spheres that are there from the start [N].
+double buoyant_weight(const Scene& scene) {
+  double weight = 0.0;
+  for (const Species& species : scene.species)
+    weight += dem::Particles::volume_of(0.5 * species.diameter) * static_cast<double>(species.count) *
+              (species.density - scene.liquid.density) * gravity;
+  return weight;
+}
+
+/// As simulate, with any step of the liquid: that of the spheres is its longest divisor that the problem allows.
+TrialResult carry_weight(const Scene& given, const Parameters& parameters, int replicate) {
+  Scene scene = given;
+  scene.contact.time_step =
+      scene.fluid.time_step / std::ceil(scene.fluid.time_step / parameters.at("longest_solid_step") - 1e-9);
+  TrialResult result = simulate(scene, parameters, replicate);
+  const double needed = buoyant_weight(scene) / (scene.geometry.width[0] * scene.geometry.width[1]);
+  result.values["weight_error"].value = std::abs(result.values.at("pressure_drop").value / needed - 1.0);
+  return result;
+}
+
 /// The homogeneous bed of the scene and the dropped sphere in it.
 ForeignSphereInBed homogeneous(const Scene& scene, const drag::DragLawKernels& law) {
   const Species &bed = scene.species.at(0), &dropped = scene.species.at(1);
@@ -107,13 +128,7 @@ TrialResult by_root(const Scene& scene, const Parameters&, int) {
     result.values["classification_velocity"].value = classification::force_balance_velocity(law, state);
   }
   result.cpu_seconds = (thread_cpu_seconds() - start) / repetitions;
-  double weight = 0.0, volume = 0.0;
-  for (const Species& species : scene.species) {
-    const double one = std::numbers::pi / 6.0 * std::pow(species.diameter, 3) * static_cast<double>(species.count);
-    volume += one;
-    weight += one * (species.density - scene.liquid.density) * gravity;
-  }
-  result.values["pressure_drop"].value = weight / (scene.geometry.width[0] * scene.geometry.width[1]);
+  result.values["pressure_drop"].value = buoyant_weight(scene) / (scene.geometry.width[0] * scene.geometry.width[1]);
   result.counts["roots"] = 2.0;
   return result;
 }
@@ -151,6 +166,18 @@ Problem bed_box_problem() {
           bed_quantities(),
           {},
           simulate};
+}
+
+Problem bed_weight_problem() {
+  auto quantities = bed_quantities();
+  quantities.push_back({"weight_error", "pressure drop over the bed's weight, less one", "-"});
+  return {"bed-weight",
+          "Fluidised spheres in a periodic box with any liquid step: does the pressure drop carry their weight?",
+          "simulated second",
+          "studies/scenes/box.toml",
+          std::move(quantities),
+          {{"longest_solid_step", 1e-4}},
+          carry_weight};
 }
 
 Problem bed_slice_problem() {

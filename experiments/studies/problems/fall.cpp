@@ -80,7 +80,9 @@ TrialResult by_simulation(const Scene& scene, const Parameters& parameters, int)
   }
   TrialResult result;
   result.cpu_seconds = (thread_cpu_seconds() - start) / seconds;
-  result.values["terminal_velocity"] = compared(sum / n, terminal_velocity(scene));
+  const TrialValue found = compared(sum / n, terminal_velocity(scene));
+  result.values["terminal_velocity"] = found;
+  result.values["velocity_error"].value = found.error / found.exact;
   result.counts["particle-steps"] = static_cast<double>(steps * substeps) / seconds;
   if (liquid)
     result.counts["cell-steps"] = static_cast<double>(liquid->grid().size()) * static_cast<double>(steps) / seconds;
@@ -111,7 +113,7 @@ Problem fall_problem() {
           "The same in the simulation, in the liquid's tier of the scene; exact: the root of the law.",
           "simulated second",
           scene_file,
-          quantities(),
+          {quantities().front(), {"velocity_error", "error of the terminal velocity", "-"}},
           {{"seconds", 1.0}},
           by_simulation};
 }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <random>
 
 #include "experiments/studies/problems/problem_list.hpp"
@@ -28,8 +29,8 @@ double kinetic_energy(const dem::Particles& spheres) {
   return sum;
 }
 
-/// Settles the spheres with safe steps, takes their motion out, gives each a small random push and goes on with the
-/// step in question.
+/// Settles the spheres with safe steps until they rest, gives each a small random push and goes on with the step in
+/// question, from the same place and with the same springs of friction.
 TrialResult solve(const Scene& given, const Parameters& parameters, int replicate) {
   Scene scene = given;
   const double diameter = scene.species.front().diameter;
@@ -37,37 +38,49 @@ TrialResult solve(const Scene& given, const Parameters& parameters, int replicat
   const double mass = scene.species.front().density * dem::Particles::volume_of(0.5 * diameter);
   const auto safe = [&](double stiffness, double restitution) {
     Contact contact = scene.contact;
+    contact.integrator = Integrator::symplectic_euler;
     contact.stiffness = stiffness;
     contact.restitution = restitution;
     contact.time_step = 0.1 * std::sqrt(0.5 * mass / stiffness);
     return contact;
   };
-  const auto steps_in = [](double seconds, const dem::Engine& engine) {
-    return static_cast<std::int64_t>(std::ceil(seconds / engine.time_step()));
-  };
+  constexpr double push_speed = 1e-3;  // at most, in each direction [m/s]
   const double fall = std::sqrt(2.0 * 30.0 * diameter / gravity);
-  // Softer springs do for the fall; the packing then finds its place with its own.
-  dem::Engine falling = engine_of(scene, safe(std::min(scene.contact.stiffness, 1e3), 0.5));
+  // Soft springs do for the fall. The packing then finds its place with stiffer ones, ten times at most at once: the
+  // energy of its overlaps would throw it up.
+  double stiffness = std::min(scene.contact.stiffness, 1e3);
+  auto stage = std::make_unique<dem::Engine>(engine_of(scene, safe(stiffness, 0.5)));
   for (const dem::PlacedSphere& sphere : dem::loose_packing(scene))
-    falling.add_particle(sphere.centre, 0.5 * diameter, scene.species.front().density, 0);
-  add_weight(falling, scene);
-  falling.advance(steps_in(2.0 * fall, falling));
-  dem::Engine settled = engine_of(scene, safe(scene.contact.stiffness, 0.1));
-  for (std::size_t i = 0; i < falling.particles.size(); ++i)
-    settled.add_particle(falling.particles.position.at(i), 0.5 * diameter, scene.species.front().density, 0);
-  add_weight(settled, scene);
-  settled.advance(20000);
-
-  dem::Engine engine = engine_of(scene, scene.contact);
-  std::mt19937_64 generator(static_cast<unsigned>(replicate) + 1);
-  const auto push = [&] { return 1e-3 * (static_cast<double>(generator() >> 11) * 0x1p-52 - 1.0); };
-  for (std::size_t i = 0; i < settled.particles.size(); ++i) {
-    engine.add_particle(settled.particles.position.at(i), 0.5 * diameter, scene.species.front().density, 0);
-    engine.particles.velocity.x[i] = push();
-    engine.particles.velocity.y[i] = push();
-    engine.particles.velocity.z[i] = push();
+    stage->add_particle(sphere.centre, 0.5 * diameter, scene.species.front().density, 0);
+  add_weight(*stage, scene);
+  stage->advance(static_cast<std::int64_t>(std::ceil(2.0 * fall / stage->time_step())));
+  for (bool own = false; !own; stiffness = std::min(10.0 * stiffness, scene.contact.stiffness)) {
+    own = stiffness == scene.contact.stiffness;
+    auto next = std::make_unique<dem::Engine>(engine_of(scene, safe(stiffness, 0.1)));
+    for (std::size_t i = 0; i < stage->particles.size(); ++i)
+      next->add_particle(stage->particles.position.at(i), 0.5 * diameter, scene.species.front().density, 0);
+    add_weight(*next, scene);
+    const double rest = 1e-3 * 0.5 * mass * push_speed * push_speed * static_cast<double>(next->particles.size());
+    constexpr int rounds_at_most = 20;
+    for (int round = 0; round < rounds_at_most && (round == 0 || kinetic_energy(next->particles) > rest); ++round)
+      next->advance(2000);
+    stage = std::move(next);
   }
+
+  const dem::Engine& settled = *stage;
+  dem::Engine engine = engine_of(scene, scene.contact);
+  for (std::size_t i = 0; i < settled.particles.size(); ++i)
+    engine.add_particle(settled.particles.position.at(i), 0.5 * diameter, scene.species.front().density, 0);
   add_weight(engine, scene);
+  engine.step();  // from which the integrator's own memory comes
+  auto memory = settled.memory();
+  memory.integrator = engine.memory().integrator;
+  dem::Particles spheres = settled.particles;
+  std::mt19937_64 generator(static_cast<unsigned>(replicate) + 1);
+  const auto push = [&] { return push_speed * (static_cast<double>(generator() >> 11) * 0x1p-52 - 1.0); };
+  for (auto* component : {&spheres.velocity.x, &spheres.velocity.y, &spheres.velocity.z})
+    for (double& v : *component) v = push();
+  engine.restore(std::move(spheres), memory);
   const double pushed = kinetic_energy(engine.particles);
   const double start = thread_cpu_seconds();
   const auto steps = static_cast<std::int64_t>(parameters.at("steps"));

@@ -14,6 +14,7 @@ Problem fall_problem();
 Problem fall_by_root_problem();
 Problem fall_by_ode_problem();
 Problem bed_box_problem();
+Problem bed_weight_problem();
 Problem bed_slice_problem();
 Problem bed_by_root_problem();
 Problem bed_by_ode_problem();
