@@ -86,7 +86,7 @@ FigureOutput draw(const FigureContext& outer) {
   const auto keys = needs(profile);
   FigureOutput output{"causes", {}, "", run_notes(context, keys)};
 
-  DataTable table{"causes", {"row"}, {}};
+  DataTable table{"causes", {"row [-]"}, {}};
   for (const double velocity : velocities)
     for (const Quantity& quantity : quantities)
       for (const char* what : {"ratio", "half width"})

@@ -111,9 +111,9 @@ TEST_F(UserLawInAScene, AnIncludedFileCounts) {
   const std::string text =
       replaced(law_template("drag"), "#include <cmath>", "#include <cmath>\n#include \"constant.hpp\"");
   const std::string law = file("mine.cpp", replaced(text, "0.15 *", "constant *"));
-  file("constant.hpp", "inline constexpr double constant = 0.15;\n");
+  const std::string constant = file("constant.hpp", "inline constexpr double constant = 0.15;\n");
   const std::string before = scene_hash(sphere(law));
-  file("constant.hpp", "inline constexpr double constant = 0.16;\n");
+  EXPECT_EQ(file("constant.hpp", "inline constexpr double constant = 0.16;\n"), constant);
   EXPECT_NE(scene_hash(sphere(law)), before);
 }
 
