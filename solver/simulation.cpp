@@ -95,6 +95,8 @@ class Simulation {
   void advance();
   void advance_drop(const Stage& stage);
   void release(const Stage& stage);
+  void release_when_free(const Stage& stage);
+  [[nodiscard]] std::optional<std::size_t> in_the_way(const Stage& stage, double radius) const;
   void take_out();
   void remove_at_outlet();
   [[nodiscard]] double sphere_momentum() const;
@@ -116,6 +118,12 @@ class Simulation {
     return scene_.stages[static_cast<std::size_t>(position_.stage)].kind == StageKind::settle ? *still_ : *coupled_;
   }
   [[nodiscard]] std::int64_t steps_in(double duration) const { return std::llround(duration / scene_.fluid.time_step); }
+  [[nodiscard]] std::int64_t relaxation_steps(const Stage& drop) const {
+    return std::max<std::int64_t>(1, steps_in(drop.relaxation));
+  }
+  [[nodiscard]] const Species& species_of(const Stage& drop) const {
+    return *std::ranges::find(scene_.species, drop.species, &Species::name);
+  }
   [[nodiscard]] double fluidised_seconds() const {
     return static_cast<double>(fluidised_steps_) * scene_.fluid.time_step;
   }
@@ -197,7 +205,10 @@ bool Simulation::stage_finished() const {
 
 void Simulation::begin_stage() {
   const Stage& stage = scene_.stages[static_cast<std::size_t>(position_.stage)];
-  if (stage.kind == StageKind::drop && position_.steps == 0) release(stage);
+  if (stage.kind == StageKind::drop && position_.steps == 0) {
+    position_.phase_steps = relaxation_steps(stage);  // as if after a drop
+    release_when_free(stage);
+  }
 }
 
 void Simulation::end_stage() {
@@ -222,20 +233,33 @@ void Simulation::end_stage() {
   }
 }
 
-void Simulation::release(const Stage& stage) {
-  std::size_t index = 0;
-  while (scene_.species[index].name != stage.species) ++index;
-  const Species& species = scene_.species[index];
-  const double radius = 0.5 * species.diameter;
+/// A sphere of the bed that lies where a sphere of this radius is released.
+std::optional<std::size_t> Simulation::in_the_way(const Stage& stage, double radius) const {
   const auto& position = engine_.particles.position;
-  for (std::size_t i = 0; i < engine_.particles.size(); ++i) {
-    const double distance = std::hypot(position.x[i], position.y[i], position.z[i] - stage.release_height);
-    if (distance < radius + engine_.particles.radius[i])
-      throw dem::EngineError(fmt::format("release of a {} sphere at z = {} m: sphere {} is in the way (bed too high?)",
-                                         species.name, stage.release_height, i));
-  }
-  foreign_ = static_cast<std::int64_t>(
-      engine_.add_particle({0.0, 0.0, stage.release_height}, radius, species.density, static_cast<int>(index)));
+  for (std::size_t i = 0; i < engine_.particles.size(); ++i)
+    if (std::hypot(position.x[i], position.y[i], position.z[i] - stage.release_height) <
+        radius + engine_.particles.radius[i])
+      return i;
+  return {};
+}
+
+/// Releases the sphere, or waits: in a bed that reaches up to there spheres come and go. They get as long as a drop.
+void Simulation::release_when_free(const Stage& stage) {
+  const Species& species = species_of(stage);
+  const auto blocking = in_the_way(stage, 0.5 * species.diameter);
+  if (!blocking) return release(stage);
+  if (position_.phase_steps - relaxation_steps(stage) >= steps_in(stage.duration))
+    throw dem::EngineError(
+        fmt::format("release of a {} sphere at z = {} m: sphere {} is in the way, and others were for "
+                    "{} s before (bed too high?)",
+                    species.name, stage.release_height, *blocking, stage.duration));
+}
+
+void Simulation::release(const Stage& stage) {
+  const Species& species = species_of(stage);
+  const double radius = 0.5 * species.diameter;
+  foreign_ = static_cast<std::int64_t>(engine_.add_particle({0.0, 0.0, stage.release_height}, radius, species.density,
+                                                            static_cast<int>(&species - scene_.species.data())));
   engine_.track(static_cast<std::size_t>(foreign_));
   coupled_->sphere_added();
   balanced_ = false;
@@ -297,8 +321,9 @@ void Simulation::advance() {
 void Simulation::advance_drop(const Stage& stage) {
   ++position_.phase_steps;
   if (position_.falling == 0) {
-    if (position_.phase_steps < steps_in(stage.relaxation)) return;
-    if (++position_.repetition < stage.repetitions) release(stage);
+    if (position_.phase_steps < relaxation_steps(stage)) return;
+    if (position_.phase_steps == relaxation_steps(stage)) ++position_.repetition;
+    if (position_.repetition < stage.repetitions) release_when_free(stage);
     return;
   }
   if (position_.phase_steps % std::max<std::int64_t>(1, steps_in(scene_.recording.drop_interval)) == 0) sample_drop();

@@ -74,6 +74,27 @@ TEST(Simulation, IsBitwiseTheSameAtAnyNumberOfThreads) {
   expect_identical(one, run(scene, "three", 3));
 }
 
+// Within a bed a sphere waits until there is room, and before a bed that rests against the lid not for ever.
+TEST(Simulation, ReleaseWaitsUntilThereIsRoom) {
+  Scene scene = small_bed(0.2);
+  scene.stages[2].repetitions = 6;
+  scene.stages[2].release_height = 0.16;
+  const RunResult result = run(scene, "waits", 1);
+  ASSERT_EQ(result.drops.size(), 6U);
+  double longest = 0.0;  // [s]
+  for (std::size_t d = 1; d < result.drops.size(); ++d) {
+    const DropSeries& last = result.drops[d - 1];
+    const double fall = last.bottom_time > 0.0 ? last.bottom_time : scene.stages[2].duration;
+    longest = std::max(longest, result.drops[d].release_time - last.release_time - fall - scene.stages[2].relaxation);
+  }
+  EXPECT_GT(longest, 0.0015) << "no release had to wait: the test shows nothing";
+
+  Scene risen = small_bed(0.3);
+  risen.stages[1].duration = 1.5;
+  risen.stages[2].duration = 0.05;
+  EXPECT_THROW(run(risen, "waits in vain", 1), std::runtime_error);
+}
+
 class Resumption : public testing::TestWithParam<double> {};
 
 // Also within an interval of the void fraction, here of two liquid steps.
