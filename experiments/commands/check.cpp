@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "experiments/campaign.hpp"
+#include "experiments/causes/causes.hpp"
 #include "experiments/claims.hpp"
 #include "experiments/measure.hpp"
 
@@ -151,6 +152,7 @@ int check(const Options& options, bool json) {
   const auto runs = finished_runs(with_full_runs(profile), options.out);
   measurements.merge(measure_runs(runs));
   auto evaluations = evaluate(claims, measurements);
+  name_causes(evaluations, options.out);
   judge_run_gates(evaluations, measure_runs(own_runs(runs, profile.name)), measure_runs(published_runs(profile)));
 
   const bool json_to_stdout = json && options.json == "-";

@@ -8,6 +8,18 @@
 #include "solver/coupling/sphere_overlap.hpp"
 
 namespace slfb::coupling {
+namespace {
+
+using Whole = int __attribute__((vector_size(16)));       ///< one per ball
+using Mask = long long __attribute__((vector_size(32)));  ///< what comparing packs gives
+
+/// Whole numbers not above four numbers.
+Whole floor_of(dem::Pack x) {
+  const Whole towards_zero = __builtin_convertvector(x, Whole);
+  return towards_zero + __builtin_convertvector(x < __builtin_convertvector(towards_zero, dem::Pack), Whole);
+}
+
+}  // namespace
 
 VolumeShares::VolumeShares(VoidFractionScheme scheme, int meshing_pieces, const fluid::ColumnGrid& grid,
                            double largest_radius)
@@ -123,22 +135,38 @@ void VolumeShares::cut_one_sphere(const Block& block, const std::array<double, 3
     cut_sphere(block, x, r, parts);
 }
 
-void VolumeShares::cut_four_spheres(const std::array<Block, 4>& blocks, const dem::VectorField& centres,
-                                    const std::vector<double>& radius, std::size_t first) {
+int VolumeShares::cut_four_spheres(const dem::VectorField& centres, const std::vector<double>& radius,
+                                   std::size_t first) {
+  const std::array<const double*, 3> centre{&centres.x[first], &centres.y[first], &centres.z[first]};
+  const dem::Pack r = dem::load(&radius[first]), per_radius = 1.0 / r, beyond = dem::Pack{} + 1.0;
+  std::array<Whole, 3> lowest, further;  // cells that the spheres begin in; 1 where they reach into the next
   std::array<dem::Pack, 3> planes;
-  for (std::size_t lane = 0; lane < 4; ++lane) {
-    const auto x = centres.at(first + lane);
-    const double per_radius = 1.0 / radius[first + lane];
-    for (std::size_t a = 0; a < 3; ++a) {
-      const double plane = axis_[a].origin + (blocks[lane].first[a] + 1) * axis_[a].width;
-      planes[a][lane] = blocks[lane].cells[a] > 1 ? (plane - x[a]) * per_radius : 1.0;
+  for (std::size_t a = 0; a < 3; ++a) {
+    const Axis& axis = axis_[a];
+    const dem::Pack x = dem::load(centre[a]);
+    Whole low = floor_of((x - r - axis.origin) * axis.per_length),
+          high = floor_of((x + r - axis.origin) * axis.per_length);
+    if (!axis.wraps) {  // as in block_around
+      const Whole none{}, top = none + (axis.cells - 1);
+      low = low < 0 ? none : low > top ? top : low;
+      high = high < 0 ? none : high > top ? top : high;
     }
+    lowest[a] = low;
+    further[a] = high - low;
+    const auto cut = __builtin_convertvector(high > low, Mask);
+    const dem::Pack plane = axis.origin + __builtin_convertvector(low + 1, dem::Pack) * axis.width;
+    planes[a] = cut ? (plane - x) * per_radius : beyond;
+    const Whole many = further[a] > 1;
+    if (many[0] | many[1] | many[2] | many[3]) return 0;
   }
   std::array<dem::Pack, 8> octants;
   unit_ball_octants(planes, octants);
-  for (std::size_t lane = 0; lane < 4; ++lane) {
-    const std::size_t i = first + lane;
-    const Block& block = blocks[lane];
+  int top = 0;
+  for (int lane = 0; lane < 4; ++lane) {
+    const std::size_t i = first + static_cast<std::size_t>(lane);
+    const Block block{{lowest[0][lane], lowest[1][lane], lowest[2][lane]},
+                      {further[0][lane] + 1, further[1][lane] + 1, further[2][lane] + 1}};
+    top = std::max(top, block.first[2] + block.cells[2]);
     double* shares = &share_[i * stride_];
     if (!has_a_cell_per_square(block)) {
       double* part = shares;
@@ -151,11 +179,11 @@ void VolumeShares::cut_four_spheres(const std::array<Block, 4>& blocks, const de
     }
     std::uint32_t* cells = &cell_[i * stride_];
     int count = 0;
-    for (int ix = 0; ix < block.cells[0]; ++ix)
-      for (int iy = 0; iy < block.cells[1]; ++iy) {
+    for (int ix = 0; ix < 2; ++ix)
+      for (int iy = 0; iy < 2; ++iy) {
         const int bottom =
             grid_.cell_of_square(block.first[0] + ix, block.first[1] + iy) * grid_.layers() + block.first[2];
-        for (int iz = 0; iz < block.cells[2]; ++iz) {
+        for (int iz = 0; iz < 2; ++iz) {
           const double share = octants[static_cast<std::size_t>(4 * ix + 2 * iy + iz)][lane];
           // Written always, kept if anything is there: no branch that the processor would have to guess.
           cells[count] = static_cast<std::uint32_t>(bottom + iz);
@@ -165,6 +193,7 @@ void VolumeShares::cut_four_spheres(const std::array<Block, 4>& blocks, const de
       }
     count_[i] = count;
   }
+  return top;
 }
 
 void VolumeShares::keep_occupied(std::size_t i, const Block& block) {
@@ -204,29 +233,22 @@ void VolumeShares::update(const dem::VectorField& centres, const std::vector<dou
   cell_.resize(n * stride_);
   share_.resize(n * stride_);
   count_.resize(n);
-  std::size_t occupied = 0;
+  int occupied = 0;
   const std::size_t groups = (n + 3) / 4;
+  const bool exact = scheme_ == VoidFractionScheme::exact_overlap;
 #pragma omp parallel for num_threads(threads) schedule(static) reduction(max : occupied)
   for (std::size_t group = 0; group < groups; ++group) {
     const std::size_t first = 4 * group, last = std::min(first + 4, n);
-    std::array<Block, 4> blocks;
-    bool few = last == first + 4 && scheme_ == VoidFractionScheme::exact_overlap;
-    for (std::size_t i = first; i < last; ++i) {
-      Block& block = blocks[i - first];
-      block = block_around(centres.at(i), scheme_ == VoidFractionScheme::centroid ? 0.0 : radius[i]);
-      occupied = std::max(occupied, static_cast<std::size_t>(block.first[2] + block.cells[2]));
-      few = few && std::ranges::max(block.cells) <= 2;
+    int top = exact && last == first + 4 ? cut_four_spheres(centres, radius, first) : 0;
+    for (std::size_t i = first; top == 0 && i < last; ++i) {
+      const Block block = block_around(centres.at(i), scheme_ == VoidFractionScheme::centroid ? 0.0 : radius[i]);
+      cut_one_sphere(block, centres.at(i), radius[i], &share_[i * stride_]);
+      keep_occupied(i, block);
+      occupied = std::max(occupied, block.first[2] + block.cells[2]);
     }
-    if (few) {
-      cut_four_spheres(blocks, centres, radius, first);
-    } else {
-      for (std::size_t i = first; i < last; ++i) {
-        cut_one_sphere(blocks[i - first], centres.at(i), radius[i], &share_[i * stride_]);
-        keep_occupied(i, blocks[i - first]);
-      }
-    }
+    occupied = std::max(occupied, top);
   }
-  occupied_layers_ = occupied;
+  occupied_layers_ = static_cast<std::size_t>(occupied);
 }
 
 }  // namespace slfb::coupling

@@ -102,9 +102,9 @@ class VolumeShares {
   void mesh_particle(const Block& block, const std::array<double, 3>& x, double r, double* parts) const;
   void cut_sphere(const Block& block, const std::array<double, 3>& x, double r, double* parts) const;
   void cut_one_sphere(const Block& block, const std::array<double, 3>& x, double r, double* parts) const;
-  /// Cells and shares of spheres `first` to `first` + 3, cut exactly, each in at most two cells along each axis.
-  void cut_four_spheres(const std::array<Block, 4>& blocks, const dem::VectorField& centres,
-                        const std::vector<double>& radius, std::size_t first);
+  /// Cells and shares of spheres `first` to `first` + 3, cut exactly; returns the layer up to which they reach, or 0,
+  /// having done nothing, where one of them lies in more than two cells along an axis.
+  int cut_four_spheres(const dem::VectorField& centres, const std::vector<double>& radius, std::size_t first);
   [[nodiscard]] bool has_a_cell_per_square(const Block& block) const;
   /// Turns the shares of the block's cells, written where sphere i keeps its own, into cells and shares.
   void keep_occupied(std::size_t i, const Block& block);
