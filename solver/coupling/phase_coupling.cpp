@@ -156,11 +156,7 @@ void PhaseCoupling::update_void_fraction(const dem::Engine& engine, double time_
 
 /// Velocity and stress of the liquid, cell by cell.
 void PhaseCoupling::read_liquid(int threads) {
-#pragma omp parallel for num_threads(std::min(threads, 3)) schedule(static)
-  for (std::size_t a = 0; a < 3; ++a) {
-    liquid_->gather(a, liquid_->velocity(a), cell_velocity_[a]);
-    liquid_->gather_stress(a, cell_stress_[a]);
-  }
+  liquid_->gather(cell_velocity_, cell_stress_);
   for (auto* fields : {&cell_velocity_, &cell_stress_})
     for (auto& field : *fields) smoothing_->gather(field, threads);
 #pragma omp parallel for num_threads(threads) schedule(static)
@@ -273,12 +269,7 @@ void PhaseCoupling::give_to_liquid(const dem::Engine& engine, double time_step) 
                       {&scattered_[0], &scattered_[1], &scattered_[2], &scattered_[3], &scattered_[4]},
                       engine.threads());
   for (auto& field : scattered_) smoothing_->scatter(field, engine.threads());
-#pragma omp parallel for num_threads(std::min(engine.threads(), 3)) schedule(static)
-  for (std::size_t a = 0; a < 3; ++a) {
-    liquid_->scatter(a, scattered_[0], exchange_.coefficient[a]);
-    liquid_->scatter(a, scattered_[a + 1], exchange_.source[a]);
-    liquid_->scatter(a, scattered_[4], exchange_.volume[a]);
-  }
+  liquid_->scatter(scattered_, exchange_);
 }
 
 /// The drag at the liquid's new velocity, and all that the liquid does to the spheres, as a constant force.

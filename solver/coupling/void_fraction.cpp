@@ -46,7 +46,8 @@ VolumeShares::VolumeShares(VoidFractionScheme scheme, int meshing_pieces, const 
   };
   for (int iy = 0; iy < grid.squares(1); ++iy)
     for (int ix = 0; ix < grid.squares(0); ++ix)
-      alone_with_next_.push_back(alone(ix, iy) && alone(ix + 1, iy) && alone(ix, iy + 1) && alone(ix + 1, iy + 1));
+      alone_with_next_.push_back(alone(ix, iy) && alone(ix + 1, iy) && alone(ix, iy + 1) && alone(ix + 1, iy + 1) ? 1
+                                                                                                                  : 0);
 }
 
 /// No two squares of a block of at most two by two belong to one cell, and none lies across a side of the grid.

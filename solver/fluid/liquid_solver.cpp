@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <utility>
 
 #include "solver/stopwatch.hpp"
@@ -225,6 +226,17 @@ void LiquidSolver::scatter(std::size_t a, const std::vector<double>& cells, std:
   scatter(a, {0, component_[a].sections}, cells, nodes);
 }
 
+void LiquidSolver::scatter(const std::array<std::vector<double>, 5>& cells, Exchange& exchange) const {
+  for (std::size_t a = 0; a < 3; ++a)
+    for (auto* field : {&exchange.coefficient[a], &exchange.source[a], &exchange.volume[a]})
+      field->resize(component_[a].velocity.size());
+  for_ranges([&](std::size_t a, Range own, int) {
+    scatter(a, own, cells[0], exchange.coefficient[a]);
+    scatter(a, own, cells[a + 1], exchange.source[a]);
+    scatter(a, own, cells[4], exchange.volume[a]);
+  });
+}
+
 void LiquidSolver::scatter(std::size_t a, Range own, const std::vector<double>& cells,
                            std::vector<double>& nodes) const {
   const Component& c = component_[a];
@@ -249,43 +261,48 @@ void LiquidSolver::scatter(std::size_t a, Range own, const std::vector<double>& 
 }
 
 template <class Value>
-void LiquidSolver::gather_values(std::size_t a, const Value& value, std::vector<double>& cells) const {
+void LiquidSolver::gather_values(std::size_t a, int cell, const Value& value, double* result) const {
   const Component& c = component_[a];
   const auto layers = as_index(grid_.layers());
   if (a == vertical) {
-    cells.resize(grid_.size());
-    for (int s = 0; s < c.sections; ++s) {
-      double* cell = &cells[index(s, 0, grid_.layers())];
-      const std::size_t node = index(s, 0, c.levels);
-      for (std::size_t k = 1; k < layers; ++k) cell[k] = 0.5 * (value(node + k) + value(node + k + 1));
-      cell[0] = 0.5 * (value(node + 1) + value(node + std::min<std::size_t>(1, as_index(c.last))));
-      if (closed_) cell[layers - 1] = value(node + layers - 1);
-    }
+    const std::size_t node = index(cell, 0, c.levels);
+    for (std::size_t k = 1; k < layers; ++k) result[k] = 0.5 * (value(node + k) + value(node + k + 1));
+    result[0] = 0.5 * (value(node + 1) + value(node + std::min<std::size_t>(1, as_index(c.last))));
+    if (closed_) result[layers - 1] = value(node + layers - 1);
     return;
   }
-  cells.assign(grid_.size(), 0.0);
-  for (int s = 0; s < c.sections; ++s) {
-    const auto& owner = c.owner[as_index(s)];
-    const auto& share = c.share[as_index(s)];
-    double *first = &cells[index(owner[0], 0, grid_.layers())], *second = &cells[index(owner[1], 0, grid_.layers())];
-    const std::size_t node = index(s, 0, c.levels);
-    for (std::size_t k = 0; k < layers; ++k) {
-      const double here = value(node + k);
-      first[k] += share[0] * here;
-      second[k] += share[1] * here;
-    }
+  std::fill_n(result, layers, 0.0);
+  for (std::size_t side : {std::size_t{0}, std::size_t{1}}) {
+    const int face = grid_.face_of(cell, a, side);
+    if (face < 0) continue;
+    const double share = c.share[as_index(face)][1 - side];
+    const std::size_t node = index(face, 0, c.levels);
+    for (std::size_t k = 0; k < layers; ++k) result[k] += share * value(node + k);
   }
 }
 
 void LiquidSolver::gather(std::size_t a, const std::vector<double>& nodes, std::vector<double>& cells) const {
-  gather_values(
-      a, [&](std::size_t n) { return nodes[n]; }, cells);
+  cells.resize(grid_.size());
+  for (int cell = 0; cell < grid_.cells(); ++cell)
+    gather_values(
+        a, cell, [&](std::size_t n) { return nodes[n]; }, &cells[index(cell, 0, grid_.layers())]);
 }
 
-void LiquidSolver::gather_stress(std::size_t a, std::vector<double>& cells) const {
-  const Component& c = component_[a];
-  gather_values(
-      a, [&](std::size_t n) { return c.viscous[n] - c.pressure_gradient[n]; }, cells);
+void LiquidSolver::gather(std::array<std::vector<double>, 3>& velocity,
+                          std::array<std::vector<double>, 3>& stress) const {
+  for (auto* fields : {&velocity, &stress})
+    for (auto& field : *fields) field.resize(grid_.size());
+#pragma omp parallel for num_threads(threads_) schedule(static)
+  for (int cell = 0; cell < grid_.cells(); ++cell)
+    for (std::size_t a = 0; a < 3; ++a) {
+      const Component& c = component_[a];
+      const double *u = c.velocity.data(), *viscous = c.viscous.data(), *gradient = c.pressure_gradient.data();
+      const std::size_t start = index(cell, 0, grid_.layers());
+      gather_values(
+          a, cell, [=](std::size_t n) { return u[n]; }, &velocity[a][start]);
+      gather_values(
+          a, cell, [=](std::size_t n) { return viscous[n] - gradient[n]; }, &stress[a][start]);
+    }
 }
 
 double LiquidSolver::face_area(std::size_t a, int section) const {
@@ -320,7 +337,8 @@ double LiquidSolver::spacing(std::size_t a, int level) const {
 /// Liquid volumes on the nodes, inertia and old momentum, ∂V_L/∂t, the inlet's velocity, and the velocity that the
 /// solution starts from: extrapolated in second order, so that everything explicit in it is of second order too.
 void LiquidSolver::start_step(double time_step, const std::vector<double>& before, const std::vector<double>& now) {
-  const bool goes_on = last_volume_ == before;
+  const bool goes_on = last_volume_.size() == before.size() &&
+                       std::memcmp(last_volume_.data(), before.data(), before.size() * sizeof(double)) == 0;
   const bool second_order = time_scheme_ == TimeScheme::second_order && goes_on;
   // ∂f/∂t at the end of the step = at_now f^(n+1) − at_before f^n + at_earlier f^(n−1).
   const double at_now = (second_order ? 1.5 : 1.0) / time_step, at_before = (second_order ? 2.0 : 1.0) / time_step,
@@ -751,7 +769,10 @@ void LiquidSolver::solve_momentum(std::size_t a, Range own, int thread, Scratch&
 void LiquidSolver::check_momentum() const {
   for (std::size_t a = 0; a < 3; ++a) {
     const Component& c = component_[a];
-    if (!std::all_of(c.velocity.begin(), c.velocity.end(), [](double u) { return std::isfinite(u); }))
+    double nothing = 0.0;  // unless a velocity is not finite
+#pragma omp simd reduction(+ : nothing)
+    for (std::size_t n = 0; n < c.velocity.size(); ++n) nothing += 0.0 * c.velocity[n];
+    if (!std::isfinite(nothing))
       throw FluidError(fmt::format("liquid momentum ({}): a velocity is not finite", "xyz"[a]));
     if (c.unsettled > momentum_tolerance * (c.largest + 1e-6))
       throw FluidError(fmt::format(
@@ -865,7 +886,8 @@ double LiquidSolver::correct_pressure(const Exchange& exchange) {
   }
   const double inlet_flow = std::max(std::abs(superficial_velocity_), 1e-3) * grid_.section_area();
   double largest = 0.0;
-  for (const double value : imbalance_) largest = std::max(largest, std::abs(value));
+#pragma omp simd reduction(max : largest)
+  for (std::size_t i = 0; i < imbalance_.size(); ++i) largest = std::max(largest, std::abs(imbalance_[i]));
   largest /= inlet_flow;
   if (!std::isfinite(largest)) throw FluidError("liquid continuity: an imbalance is not finite");
   continuity_error_ = 0.0;
@@ -930,10 +952,14 @@ void LiquidSolver::record_vertical_forces(double leaving) {
   const Component& c = component_[vertical];
   vertical_forces_ = {};
   vertical_forces_.outflow = leaving;
+  double pressure = 0.0, stress = 0.0;
+#pragma omp simd reduction(+ : pressure, stress)
   for (std::size_t n = 0; n < c.velocity.size(); ++n) {
-    vertical_forces_.pressure -= c.volume[n] * c.pressure_gradient[n];
-    vertical_forces_.stress += c.volume[n] * c.viscous[n];
+    pressure -= c.volume[n] * c.pressure_gradient[n];
+    stress += c.volume[n] * c.viscous[n];
   }
+  vertical_forces_.pressure = pressure;
+  vertical_forces_.stress = stress;
   for (int s = 0; s < c.sections; ++s)
     vertical_forces_.inflow += density_ * c.end[0][as_index(s)] * grid_.area(s) * c.velocity[index(s, 0, c.levels)];
 }
@@ -952,9 +978,11 @@ double LiquidSolver::vertical_momentum() const {
 
 void LiquidSolver::advance(double time_step, const std::vector<double>& before, const std::vector<double>& now,
                            const Exchange& exchange) {
-  const auto least = std::min_element(now.begin(), now.end());
-  if (!(*least > 0.0)) {
-    const auto cell = static_cast<std::size_t>(least - now.begin());
+  bool liquid_everywhere = true;
+#pragma omp simd reduction(&& : liquid_everywhere)
+  for (std::size_t i = 0; i < now.size(); ++i) liquid_everywhere = liquid_everywhere && now[i] > 0.0;
+  if (!liquid_everywhere) {
+    const auto cell = static_cast<std::size_t>(std::min_element(now.begin(), now.end()) - now.begin());
     throw FluidError(
         fmt::format("void fraction: layer {} of section cell {} holds no liquid; larger cells (fluid.cells_across, "
                     "fluid.cell_height) are needed",

@@ -57,8 +57,10 @@ class LiquidSolver {
   void scatter(std::size_t component, const std::vector<double>& cells, std::vector<double>& nodes) const;
   /// Mean of a node quantity over the nodes of each cell: the adjoint of scatter.
   void gather(std::size_t component, const std::vector<double>& nodes, std::vector<double>& cells) const;
-  /// The same of the stress −∇p + ∇·τ, with the dynamic pressure [N/m³].
-  void gather_stress(std::size_t component, std::vector<double>& cells) const;
+  /// The same for all components of the velocity [m/s] and of the stress −∇p + ∇·τ with the dynamic pressure [N/m³].
+  void gather(std::array<std::vector<double>, 3>& velocity, std::array<std::vector<double>, 3>& stress) const;
+  /// Puts together an exchange from what is given per cell: coefficient, source along x, y, z, volume.
+  void scatter(const std::array<std::vector<double>, 5>& cells, Exchange& exchange) const;
   [[nodiscard]] std::size_t nodes(std::size_t component) const { return component_[component].velocity.size(); }
   /// Where the velocity of a node is that of the liquid [m].
   [[nodiscard]] std::array<double, 3> position(std::size_t component, std::size_t node) const;
@@ -161,8 +163,9 @@ class LiquidSolver {
   /// The same, section node by section node: work(component, section node).
   template <class Work>
   void for_sections(Work work) const;
+  /// Means over the nodes of one cell of the section, layer by layer; value(node).
   template <class Value>
-  void gather_values(std::size_t a, const Value& value, std::vector<double>& cells) const;
+  void gather_values(std::size_t a, int cell, const Value& value, double* result) const;
   void scatter(std::size_t component, Range own, const std::vector<double>& cells, std::vector<double>& nodes) const;
   void build_component(std::size_t a);
   void build_stencil(std::size_t a);
