@@ -91,7 +91,7 @@ FigureOutput draw(const FigureContext& outer) {
     for (const Quantity& quantity : quantities)
       for (const char* what : {"ratio", "half width"})
         table.columns.push_back(fmt::format("{} {} at {:.2f} m/s [-]", quantity.name, what, velocity));
-  std::string names;
+  std::string names, nameless;  // tics of the first panel and of the others
   for (std::size_t k = 0; k < changes.size(); ++k) {
     const Measurements changed = measured(load_profile(changes[k].profile), changes[k].variant, outer.results);
     std::vector<double> row{static_cast<double>(k)};
@@ -102,6 +102,7 @@ FigureOutput draw(const FigureContext& outer) {
       }
     table.rows.push_back(std::move(row));
     names += fmt::format("{}\"{}\" {}", k > 0 ? ", " : "", changes[k].title, k);
+    nameless += fmt::format("{}\"\" {}", k > 0 ? ", " : "", k);
   }
   output.data.push_back(write_csv(table, outer.out));
   output.caption =
@@ -134,7 +135,7 @@ FigureOutput draw(const FigureContext& outer) {
           v == 0 ? 7 : 5);
     }
     script += plots + "\n";
-    if (q == 0) script += "eval footer_drawn\nset format y ''\n";
+    if (q == 0) script += fmt::format("eval footer_drawn\nset ytics ({})\n", nameless);
   }
   script += "unset multiplot\n";
   draw_figure_of_runs("causes", script, {1180, 560}, context, keys);

@@ -97,6 +97,7 @@ int make_figures(const Options& options) {
     CampaignOptions campaign = campaign_options(options, needed.size());
     if (options.publish) campaign.finished = [&](std::size_t k) { publish(profile, needed[k], options.out); };
     if (!needed.empty()) outcome = run_campaign(needed, campaign);
+    if (outcome.interrupted > 0) return outcome.exit_status();  // who stops it does not wait for the drawing
   }
   if (options.publish)  // also what an earlier call has simulated
     for (const RunSpec& spec : profile.runs) publish(profile, spec, options.out);
