@@ -114,7 +114,8 @@ FigureOutput draw(const FigureContext& outer) {
 
   std::string script = fmt::format(
       "set multiplot\nset tmargin at screen 1 - 34.0/height\nset bmargin at screen base + 40.0/height\n"
-      "set yrange [{}:-0.7]\nset xrange [0:2.4]\nset xtics 1\nset mxtics 2\nset grid x y\nunset key\n"
+      "set yrange [{}:-0.7]\nset xrange [0:2.4]\nset xtics 1\nset mxtics 2\nset grid x y\nset key at screen 0.01, "
+      "screen 1 - 6.0/height left top Left reverse font ',11'\n"
       "set ytics ({})\nset arrow 1 from 1,graph 0 to 1,graph 1 nohead linecolor rgb paper\nunset xlabel\nunset ylabel\n"
       "inside(x) = x > 2.4 ? 2.4 : x\n",
       static_cast<double>(changes.size()) - 0.3, names);
@@ -129,13 +130,14 @@ FigureOutput draw(const FigureContext& outer) {
       const std::size_t column = 2 + 2 * (v * quantities.size() + q);
       plots += fmt::format(
           "{0}'causes.csv' skip 1 using {1}:($1+{2}):{3} with xerrorbars linecolor rgb {4} pointtype {5} pointsize "
-          "0.01, "
-          "'' skip 1 using (inside(${1})):($1+{2}) with points linecolor rgb {4} pointtype {5} pointsize 0.7",
+          "0.01 "
+          "notitle, '' skip 1 using (inside(${1})):($1+{2}) with points linecolor rgb {4} pointtype {5} pointsize 0.7 "
+          "title '{6:.2f} m/s'",
           v == 0 ? "plot " : ", ", column, v == 0 ? -0.15 : 0.15, column + 1, v == 0 ? "ours" : "variant",
-          v == 0 ? 7 : 5);
+          v == 0 ? 7 : 5, velocities[v]);
     }
     script += plots + "\n";
-    if (q == 0) script += fmt::format("eval footer_drawn\nset ytics ({})\n", nameless);
+    if (q == 0) script += fmt::format("eval footer_drawn\nunset key\nset ytics ({})\n", nameless);
   }
   script += "unset multiplot\n";
   draw_figure_of_runs("causes", script, {1180, 560}, context, keys);

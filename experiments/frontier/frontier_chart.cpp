@@ -103,18 +103,19 @@ FigureOutput draw_frontier(const Study& study, const ReducedStudy& reduced, cons
     names.push_back(table.name);
     output.data.push_back(write_csv(table, folder));
   }
-  for (std::size_t q = 0; q < shown.size(); ++q) {
-    DataTable front{fmt::format("{}_front_{}", id, shown[q]), {columns[1], columns[2], "relative error [-]"}, {}};
-    for (const ReducedPoint* point : pareto_front(reduced, shown[q])) {
-      const auto count = point->counts.find(study.count);
-      if (point->values.at(shown[q]).error > 0.0)
-        front.rows.push_back({point->cpu_seconds, count == point->counts.end() ? nothing : count->second,
-                              point->values.at(shown[q]).error});
-    }
-    output.data.push_back(write_csv(front, folder));
-  }
-
   const bool both_costs = shown.size() <= 3;
+  for (std::size_t q = 0; q < shown.size(); ++q)
+    for (const bool by_count : both_costs ? std::vector{true, false} : std::vector{false}) {
+      DataTable front{fmt::format("{}_front_{}{}", id, shown[q], by_count ? "_by_count" : ""),
+                      {columns[by_count ? 2 : 1], "relative error [-]"},
+                      {}};
+      for (const ReducedPoint* point : pareto_front(reduced, shown[q], by_count ? study.count : ""))
+        if (point->values.at(shown[q]).error > 0.0)
+          front.rows.push_back(
+              {by_count ? point->counts.at(study.count) : point->cpu_seconds, point->values.at(shown[q]).error});
+      output.data.push_back(write_csv(front, folder));
+    }
+
   const std::size_t columns_drawn = std::min<std::size_t>(shown.size() > 6 ? 4 : 3, shown.size());
   const std::size_t rows_drawn = both_costs ? 2 : (shown.size() + columns_drawn - 1) / columns_drawn;
   std::string plots;
@@ -161,15 +162,12 @@ FigureOutput draw_frontier(const Study& study, const ReducedStudy& reduced, cons
             "offset 0.9, 0 font ',10' textcolor rgb '#b0303c' notitle",
             5, cost, names[s]);
       }
-      const auto front = pareto_front(reduced, shown[q]);
-      if (std::any_of(front.begin(), front.end(), [&](const ReducedPoint* p) {
-            return has_point(*p, shown[q]) && (cost == 2 || p->counts.contains(study.count));
-          }))
+      const auto front = pareto_front(reduced, shown[q], cost == 2 ? "" : study.count);
+      if (std::any_of(front.begin(), front.end(), [&](const ReducedPoint* p) { return has_point(*p, shown[q]); }))
         elements += fmt::format(
-            ", '{}_front_{}.csv' skip 1 using {}:3 with fsteps linecolor rgb '#000000' linewidth 1 dashtype (6, 4) "
-            "title "
-            "{}",
-            id, shown[q], cost == 2 ? 1 : 2, key_drawn ? "''" : "'Pareto front'");
+            ", '{}_front_{}{}.csv' skip 1 using 1:2 with fsteps linecolor rgb '#000000' linewidth 1 dashtype (6, 4) "
+            "title {}",
+            id, shown[q], cost == 2 ? "" : "_by_count", key_drawn ? "''" : "'Pareto front'");
       // The range first, so that the marks of failures can be put at its top.
       double low = std::numeric_limits<double>::infinity(), high = 0.0;
       for (const ReducedPoint& point : reduced.points) {

@@ -254,15 +254,17 @@ ReducedStudy load_reduced(const Study& study, const std::filesystem::path& out) 
   return reduced;
 }
 
-std::vector<const ReducedPoint*> pareto_front(const ReducedStudy& reduced, const std::string& quantity) {
+std::vector<const ReducedPoint*> pareto_front(const ReducedStudy& reduced, const std::string& quantity,
+                                              const std::string& count) {
   std::vector<const ReducedPoint*> candidates, front;
   for (const ReducedPoint& point : reduced.points)
-    if (point.failure.empty() && point.values.contains(quantity) && std::isfinite(point.values.at(quantity).error))
+    if (point.failure.empty() && point.values.contains(quantity) && std::isfinite(point.values.at(quantity).error) &&
+        (count.empty() || point.counts.contains(count)))
       candidates.push_back(&point);
-  std::sort(candidates.begin(), candidates.end(), [&](const auto* a, const auto* b) {
-    return std::pair(a->cpu_seconds, a->values.at(quantity).error) <
-           std::pair(b->cpu_seconds, b->values.at(quantity).error);
-  });
+  const auto rank = [&](const ReducedPoint* point) {
+    return std::pair(count.empty() ? point->cpu_seconds : point->counts.at(count), point->values.at(quantity).error);
+  };
+  std::sort(candidates.begin(), candidates.end(), [&](const auto* a, const auto* b) { return rank(a) < rank(b); });
   double best = std::numeric_limits<double>::infinity();
   for (const ReducedPoint* point : candidates) {
     if (!(point->values.at(quantity).error < best)) continue;

@@ -75,6 +75,8 @@ std::filesystem::path committed_file(const std::string& id);
 std::filesystem::path reduced_file(const std::filesystem::path& out, const std::string& id);
 
 /// Points that no other of the successful ones beats in both cost and error, by rising cost.
-std::vector<const ReducedPoint*> pareto_front(const ReducedStudy& reduced, const std::string& quantity);
+/// The cost is CPU time, or the count of this name.
+std::vector<const ReducedPoint*> pareto_front(const ReducedStudy& reduced, const std::string& quantity,
+                                              const std::string& count = "");
 
 }  // namespace slfb::frontier
