@@ -133,15 +133,17 @@ void PressureEquation::update_preconditioner(const Own& own) {
     pivot_.col(middle()) = (diagonal(middle()) - eliminated_[0] - eliminated_[1]).inverse().cast<float>();
 }
 
+const PressureEquation::Part& PressureEquation::part_of(int layer) const {
+  const auto found = std::find_if(parts_.begin(), parts_.end(), [layer](const Part& part) {
+    return layer >= part.first && layer < part.first + part.count;
+  });
+  return found == parts_.end() ? parts_.front() : *found;
+}
+
 void PressureEquation::multiply(Part& part) {
   const int layers = grid_.layers(), count = part.count;
   if (count == 0) return;
-  // The next part with any layers.
-  const Part *layer_below = &part, *layer_above = &part;
-  do --layer_below;
-  while (layer_below >= parts_.data() && layer_below->count == 0);
-  do ++layer_above;
-  while (layer_above < parts_.data() + parts && layer_above->count == 0);
+  const Part &below = part_of(part.first - 1), &above = part_of(part.first + count);
   for (int c = 0; c < grid_.cells(); ++c) {
     const double* vertical = &coefficient[2][at(c, part.first, layers + 1)];
     const double *in = &part.direction(0, c), *diagonal = &part.diagonal(0, c);
@@ -152,8 +154,8 @@ void PressureEquation::multiply(Part& part) {
     for (int k = 1; k < count; ++k) out[k] -= vertical[k] * in[k - 1];
 #pragma omp simd
     for (int k = 0; k < count - 1; ++k) out[k] -= vertical[k + 1] * in[k + 1];
-    if (part.first > 0) out[0] -= vertical[0] * layer_below->direction(layer_below->count - 1, c);
-    if (part.first + count < layers) out[count - 1] -= vertical[count] * layer_above->direction(0, c);
+    if (part.first > 0) out[0] -= vertical[0] * below.direction(below.count - 1, c);
+    if (part.first + count < layers) out[count - 1] -= vertical[count] * above.direction(0, c);
     for (const Link& link : links_[as_index(c)]) {
       const double* lateral = &coefficient[link.axis][link.start] + part.first;
       const double* there = &part.direction(0, link.neighbour);

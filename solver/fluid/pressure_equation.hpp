@@ -66,6 +66,8 @@ class PressureEquation {
   void update_preconditioner(const Own& own);
   /// preconditioned from residual, whose `magnitude` is taken out while numbers are short; their scalar product.
   void precondition(const Own& own, double magnitude);
+  /// The part that holds a layer; any for a layer outside the column.
+  [[nodiscard]] const Part& part_of(int layer) const;
   /// image = A direction, and their scalar product.
   void multiply(Part& part);
   /// The thread that eliminates a half of the column is that of the half's first part.
