@@ -128,14 +128,23 @@ FigureOutput draw(const FigureContext& outer) {
     std::string plots;
     for (std::size_t v = 0; v < velocities.size(); ++v) {
       const std::size_t column = 2 + 2 * (v * quantities.size() + q);
-      plots += fmt::format(
-          "{0}'causes.csv' skip 1 using {1}:($1+{2}):{3} with xerrorbars linecolor rgb {4} pointtype {5} pointsize "
-          "0.01 "
-          "notitle, '' skip 1 using (inside(${1})):($1+{2}) with points linecolor rgb {4} pointtype {5} pointsize 0.7 "
-          "title '{6:.2f} m/s'",
-          v == 0 ? "plot " : ", ", column, v == 0 ? -0.15 : 0.15, column + 1, v == 0 ? "ours" : "variant",
-          v == 0 ? 7 : 5, velocities[v]);
+      const auto any = [&](std::size_t number) {
+        return std::ranges::any_of(table.rows, [&](const auto& row) { return std::isfinite(row[number - 1]); });
+      };
+      const std::string style =
+          fmt::format("linecolor rgb {} pointtype {}", v == 0 ? "ours" : "variant", v == 0 ? 7 : 5);
+      const double shift = v == 0 ? -0.15 : 0.15;
+      if (any(column + 1))
+        plots += fmt::format(", 'causes.csv' skip 1 using {}:($1+{}):{} with xerrorbars {} pointsize 0.01 notitle",
+                             column, shift, column + 1, style);
+      // What is not simulated yet keeps its place in the key.
+      plots += any(column)
+                   ? fmt::format(", 'causes.csv' skip 1 using (inside(${})):($1+{}) with points {} pointsize 0.7",
+                                 column, shift, style)
+                   : fmt::format(", NaN with points {} pointsize 0.7", style);
+      plots += fmt::format(" title '{:.2f} m/s'", velocities[v]);
     }
+    plots.replace(0, 2, "plot ");
     script += plots + "\n";
     if (q == 0) script += fmt::format("eval footer_drawn\nunset key\nset ytics ({})\n", nameless);
   }

@@ -257,6 +257,7 @@ FigureOutput draw_examples(const FigureContext& context) {
                  {"row [-]", "relative error [-]", "half width of the 95 % interval [-]", "band [-]", "CPU time [s]"},
                  {}};
   std::vector<std::vector<std::string>> rows;
+  std::vector<std::string> notes;
   for (studies::TableReader& one : table.tables("example")) {
     const std::string with = one.text("with"), id = one.text("study"), series = one.text("series"),
                       quantity = one.text("quantity");
@@ -264,6 +265,8 @@ FigureOutput draw_examples(const FigureContext& context) {
     if (!bands.contains(quantity)) throw one.problem("quantity", "has no band in rules.toml");
     one.reject_others();
     const SolvedStudy solved = solved_study(id, context.results);
+    std::string note = fmt::format("Study {}: {} set, {}.", id, solved.reduced.set, solved.reduced.date);
+    if (std::ranges::find(notes, note) == notes.end()) notes.push_back(std::move(note));
     const double band = bands.at(quantity);
     const ReducedPoint* point = solved.nearest(series, axis);
     const auto error = point == nullptr ? std::nullopt : error_of(solved, *point, quantity);
@@ -291,7 +294,7 @@ FigureOutput draw_examples(const FigureContext& context) {
                 {"\nband", 790},
                 {"\nCPU", 890},
                 {"\n", 910, true}},
-               rows, data, {}, 1090, context.out);
+               rows, data, notes, 1090, context.out);
 }
 
 std::vector<std::string> no_runs(const Profile&) { return {}; }

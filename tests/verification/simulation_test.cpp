@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <atomic>
 #include <cmath>
 #include <filesystem>
@@ -41,8 +42,11 @@ Scene small_bed(double superficial_velocity) {
   return scene;
 }
 
+/// Of the running test alone: others may run beside it.
 std::filesystem::path fresh_folder(const char* name) {
-  const auto folder = std::filesystem::temp_directory_path() / "slfb_simulation_test" / name;
+  std::string test = testing::UnitTest::GetInstance()->current_test_info()->name();
+  std::replace(test.begin(), test.end(), '/', '_');
+  const auto folder = std::filesystem::temp_directory_path() / "slfb_simulation_test" / test / name;
   std::filesystem::remove_all(folder);
   return folder;
 }
