@@ -61,7 +61,7 @@ FigureOutput draw(const FigureContext& context) {
   DataTable curve{"printed_voidage_equations", {"voidage [-]", "Eq. 40 [-]"}, {}};
   for (int step = 42; step <= 92; ++step) curve.rows.push_back({0.01 * step, equation_40(0.01 * step)});
   DataTable homogeneous{"printed_voidage_equation_36", {"superficial velocity [m/s]", "voidage [-]"}, {}};
-  const BedSystem& main = bed_systems[2];
+  const BedSystem& main = *std::ranges::find(bed_systems, "6in5W", &BedSystem::name);  // Fig. 13 and Table 2
   for (int step = 44; step <= 240; ++step) homogeneous.rows.push_back({1e-3 * step, equation_36(main, 1e-3 * step)});
   DataTable printed{"printed_voidage_paper", {"superficial velocity [m/s]", "voidage [-]"}, {}};
   double largest = 0.0;
