@@ -4,10 +4,11 @@ JOBS ?= $(shell nproc)
 PROFILE ?= quick
 SOURCES = git ls-files --cached --others --exclude-standard '*.cpp' '*.hpp'
 
-.PHONY: help figures test build install format lint debug asan tsan
+.PHONY: help figures pdf test build install format lint debug asan tsan
 
 help:
 	@echo "make figures  the figures of the paper and the report (PROFILE=quick or full)"
+	@echo "make pdf      the report as build/report/report.pdf, after make figures"
 	@echo "make test     all tests"
 	@echo "make build    build/slfb and the tests"
 	@echo "make install  the Debian packages that are missing (.ci/packages.txt)"
@@ -20,6 +21,10 @@ figures: build
 	@if [ -z "$$CI" ] && [ -n "$$DISPLAY$$WAYLAND_DISPLAY" ] && command -v xdg-open >/dev/null; then \
 	  xdg-open build/report/index.html >/dev/null 2>&1 || true; \
 	fi
+
+pdf:
+	@.ci/install print
+	weasyprint --quiet build/report/print.html build/report/report.pdf
 
 test: build
 	ctest --preset release --parallel $(JOBS)

@@ -344,12 +344,21 @@ void judge_gate(Evaluation& evaluation) {
   }
 }
 
+/// Why a measure is missing: its run is, or the run is there and has no such number.
+std::string missing_text(const std::string& measure, const Measurements& measurements) {
+  if (!needs_run(measure)) return "not yet measured: " + measure;
+  const std::string run = measure.substr(measure.find('/'));
+  const bool simulated = std::ranges::any_of(
+      measurements, [&](const auto& entry) { return entry.first.substr(entry.first.find('/')) == run; });
+  return (simulated ? "simulated, but without such a number (the figure's notes say why): " : "not yet simulated: ") +
+         measure;
+}
+
 Evaluation evaluate_claim(const Claim& claim, const Measurements& measurements) {
   Evaluation evaluation;
   evaluation.claim = claim;
   std::vector<Measurement> values;
   std::string missing;
-  bool missing_run = false;
   for (const std::string& measure : claim.measures) {
     const auto keys = expand(measure, measurements);
     bool found = !keys.empty();
@@ -362,12 +371,11 @@ Evaluation evaluate_claim(const Claim& claim, const Measurements& measurements) 
       }
     }
     if (found) continue;
-    missing += (missing.empty() ? "" : ", ") + measure;
-    missing_run = missing_run || needs_run(measure);
+    missing += (missing.empty() ? "" : "; ") + missing_text(measure, measurements);
   }
 
   if (!missing.empty()) {
-    evaluation.reason = (missing_run ? "not yet simulated: " : "not yet measured: ") + missing;
+    evaluation.reason = missing;
   } else if (claim.measures.empty()) {
     evaluation.reason = claim.undecidable;
   } else if (is_trend(claim)) {

@@ -193,15 +193,23 @@ std::vector<std::string> run_notes(const FigureContext& context, const std::vect
   std::vector<std::string> notes;
   const auto present = present_runs(context, keys);
   for (auto& sentence : differences_of(context, present)) notes.push_back(std::move(sentence));
-  std::vector<std::string> missing, published, stale;
+  std::vector<std::string> missing, published, stale, without_drop;
   for (const auto& key : keys)
     if (find_run(context, key) == nullptr) missing.push_back(key);
   for (const FinishedRun* run : present) {
+    const bool drops = std::ranges::any_of(
+        run->scene.stages, [](const Stage& stage) { return stage.kind == StageKind::drop && stage.repetitions > 0; });
+    if (drops && run->result.drops.empty()) without_drop.push_back(run_key(run->spec));
     if (run->published) published.push_back(run_key(run->spec));
     if (run->stale) stale.push_back(run_key(run->spec));
   }
   if (keys.empty()) notes.push_back("Neither this profile nor the full one has a simulation for this figure.");
   if (!missing.empty()) notes.push_back(fmt::format("Not yet simulated: {}.", join(missing, ", ")));
+  if (!without_drop.empty())
+    notes.push_back(
+        fmt::format("No sphere could be dropped, the bed of this drag law fills the column up to the place of release: "
+                    "{}.",
+                    join(without_drop, ", ")));
   if (!published.empty()) notes.push_back(fmt::format("Read from the committed results: {}.", join(published, ", ")));
   if (!stale.empty()) notes.push_back(fmt::format("Made by an older version of the numerics: {}.", join(stale, ", ")));
   return notes;

@@ -137,7 +137,7 @@ Section claims_section(const std::vector<Candidate>& candidates, const std::vect
   std::vector<std::vector<std::string>> rows;
   for (std::size_t k = 0; k < claims.size(); ++k) {
     if (!answered(candidates, k)) continue;
-    const std::string unit = claims[k].unit == "-" ? "" : " " + escape_html(claims[k].unit);
+    const std::string unit = claims[k].unit == "-" ? "" : fmt::format(" {}", escape_html(claims[k].unit));
     std::vector<std::string> row{
         fmt::format("{}<span class=\"id\">{}</span>", prose_html(claims[k].quantity), escape_html(claims[k].id)),
         prose_html(claims[k].paper_text()) + unit};

@@ -7,6 +7,7 @@
 #include <fstream>
 #include <map>
 #include <regex>
+#include <set>
 #include <sstream>
 #include <stdexcept>
 
@@ -155,28 +156,24 @@ std::string neighbours(const ReportContents& contents, std::size_t place) {
   return html;
 }
 
-std::string page(const ReportContents& contents, std::size_t place, const fs::path& folder) {
-  const FigureOutput& output = contents.figures[place];
+/// How the figure is measured; empty where nothing is written of it.
+std::string measurement(const Figure& figure) {
+  const fs::path readme = fs::path(SLFB_SOURCE_DIR) / "experiments" / figure.folder / "README.md";
+  if (figure.folder.empty() || !fs::exists(readme)) return "";
+  return "<h2>How it is measured</h2>\n<div class=\"prose\">" + markdown_html(read_file(readme)) + "</div>\n";
+}
+
+/// Picture, caption, claims, `measured`, doubts, simulations and commands of one figure.
+std::string body(const ReportContents& contents, const FigureOutput& output, const std::string& measured,
+                 const fs::path& folder) {
   const Figure& figure = figure_named(output.id);
-  const std::string title = prose_html(figure.title), label = label_of(output.id);
   const auto claims = claims_of(contents, output.id);
-  const fs::path source = fs::path(SLFB_SOURCE_DIR);
-  const fs::path readme = source / "experiments" / figure.folder / "README.md";
-  const bool has_readme = !figure.folder.empty() && fs::exists(readme);
   const bool simulated = !keys_of(contents, figure).empty();
   const std::string profile = !figure.needs(contents.profile).empty() ? contents.profile.name
                               : figure.id == "drag-law"               ? figure.id
                                                                       : "full";
 
   std::string html = fmt::format(
-      "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\" />\n<meta name=\"viewport\" "
-      "content=\"width=device-width, initial-scale=1\" />\n<title>{0}: "
-      "{1}</title>\n<style>\n{2}</style>\n</head>\n<body>\n"
-      "<header class=\"masthead slim\"><div>\n<span "
-      "class=\"label\">{0}</span><h1>{1}</h1>\n<p>{3}</p>\n</div></header>\n"
-      "<nav><div>{4}</div></nav>\n<main>\n",
-      label, title, read_file(source / "reports" / "report.css"), badges(claims), neighbours(contents, place));
-  html += fmt::format(
       "<article class=\"card figure wide\">\n<div class=\"picture\"><a href=\"{0}.svg\"><img src=\"{0}.svg\" "
       "alt=\"{1}\"{2} /></a></div>\n<div class=\"words\"><p>{3}</p>\n{4}{5}</div>\n</article>\n",
       escape_html(output.id), escape_html(figure.title), image_size(folder / (output.id + ".svg")),
@@ -186,17 +183,34 @@ std::string page(const ReportContents& contents, std::size_t place, const fs::pa
         "<h2>What the paper states, and ours</h2>\n" + claim_table(claims, "") +
         "<p class=\"soft\">A statement is reproduced when the whole 95 % interval of our number lies in the band. The "
         "<a href=\"../claims.html\">table of all claims</a> says how verdicts are made.</p>\n";
-  if (has_readme)
-    html += "<h2>How it is measured</h2>\n<div class=\"prose\">" + markdown_html(read_file(readme)) + "</div>\n";
-  html += doubts(contents, output.id);
-  html += simulations(contents, figure, folder);
-  html += fmt::format(
-      "<h2>Make it again</h2>\n<p>{}</p><code class=\"command\">build/slfb figures {}{}</code>\n"
-      "<p class=\"soft\">Redraw it with a look of your own, in a folder with its files above:</p><code "
-      "class=\"command\">gnuplot {}.gp</code>\n",
-      simulated ? "Simulate what is missing and draw it:" : "Draw it; nothing is simulated:", escape_html(output.id),
-      simulated ? " --profile " + escape_html(profile) : " --no-run", escape_html(output.id));
-  return html + fmt::format("<footer>slfb {}</footer>\n</main>\n</body>\n</html>\n", escape_html(SLFB_VERSION));
+  html += measured + doubts(contents, output.id);
+  html += "<div class=\"on-screen\">\n" + simulations(contents, figure, folder);
+  return html + fmt::format(
+                    "<h2>Make it again</h2>\n<p>{}</p><code class=\"command\">build/slfb figures {}{}</code>\n"
+                    "<p class=\"soft\">Redraw it with a look of your own, in a folder with its files above:</p><code "
+                    "class=\"command\">gnuplot {}.gp</code>\n</div>\n",
+                    simulated ? "Simulate what is missing and draw it:" : "Draw it; nothing is simulated:",
+                    escape_html(output.id), simulated ? " --profile " + escape_html(profile) : " --no-run",
+                    escape_html(output.id));
+}
+
+std::string heading(const ReportContents& contents, const FigureOutput& output) {
+  return fmt::format("<span class=\"label\">{}</span><h1>{}</h1>\n<p>{}</p>\n", label_of(output.id),
+                     prose_html(figure_named(output.id).title), badges(claims_of(contents, output.id)));
+}
+
+std::string page(const ReportContents& contents, std::size_t place, const fs::path& folder) {
+  const FigureOutput& output = contents.figures[place];
+  return fmt::format(
+             "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\" />\n<meta name=\"viewport\" "
+             "content=\"width=device-width, initial-scale=1\" />\n<title>{}: "
+             "{}</title>\n<style>\n{}</style>\n</head>\n<body>\n"
+             "<header class=\"masthead slim\"><div>\n{}</div></header>\n<nav><div>{}</div></nav>\n<main>\n",
+             label_of(output.id), prose_html(figure_named(output.id).title),
+             read_file(fs::path(SLFB_SOURCE_DIR) / "reports" / "report.css"), heading(contents, output),
+             neighbours(contents, place)) +
+         body(contents, output, measurement(figure_named(output.id)), folder) +
+         fmt::format("<footer>slfb {}</footer>\n</main>\n</body>\n</html>\n", escape_html(SLFB_VERSION));
 }
 
 }  // namespace
@@ -222,6 +236,20 @@ std::string figure_gallery(const ReportContents& contents, const fs::path& figur
         escape_html(output.id), image_size(figures_folder / (output.id + ".svg")), label_of(output.id),
         prose_html(figure_named(output.id).title), badges(claims_of(contents, output.id)));
   return html + "</div>\n</section>\n";
+}
+
+std::string figures_to_print(const ReportContents& contents, const fs::path& folder) {
+  std::string html;
+  std::set<std::string> texts;  // studies share theirs
+  for (const FigureOutput& output : contents.figures) {
+    std::string measured = measurement(figure_named(output.id));
+    if (!texts.insert(measured).second) measured.clear();
+    html += fmt::format("<section class=\"sheet\" id=\"{}\">\n{}{}</section>\n", escape_html(output.id),
+                        heading(contents, output), body(contents, output, measured, folder));
+  }
+  // Not every printer of pages can draw gnuplot's SVG.
+  static const std::regex picture("src=\"([^\"]+)\\.svg\"");
+  return std::regex_replace(html, picture, "src=\"figures/$1.png\"");
 }
 
 void write_figure_pages(const ReportContents& contents, const fs::path& folder) {

@@ -17,4 +17,7 @@ std::string run_download(const FinishedRun& run);
 /// measured, what the paper states beside our numbers, the simulations behind it and their cost, and how to redraw it.
 void write_figure_pages(const ReportContents& contents, const std::filesystem::path& folder);
 
+/// The same one after the other, as sections of a page in the folder above.
+std::string figures_to_print(const ReportContents& contents, const std::filesystem::path& folder);
+
 }  // namespace slfb

@@ -33,13 +33,15 @@ std::string escape_html(const std::string& text) {
   return escaped;
 }
 
-std::string prose_html(const std::string& text) {
+std::string with_subscripts(const std::string& html) {
   // A symbol of one or two letters before the underscore, at most three after it: names of files and keys stay as
   // they are.
   static const std::regex symbol(
       "(^|[^A-Za-z0-9_./-])([A-Za-z]{1,2}|α|ρ|ε|μ|ω)_([A-Za-z0-9]{1,3})(?![A-Za-z0-9_./-]*[A-Za-z0-9_])");
-  return std::regex_replace(escape_html(text), symbol, "$1$2<sub>$3</sub>");
+  return std::regex_replace(html, symbol, "$1$2<sub>$3</sub>");
 }
+
+std::string prose_html(const std::string& text) { return with_subscripts(escape_html(text)); }
 
 std::string readable_number(double value) {
   if (std::isnan(value)) return "–";

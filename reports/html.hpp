@@ -8,7 +8,10 @@ namespace slfb {
 /// `text` with the characters that HTML gives a meaning to replaced by entities.
 std::string escape_html(const std::string& text);
 
-/// The same for a sentence, with the subscripts of its symbols set as such: "U_L" becomes U<sub>L</sub>.
+/// Subscripts of symbols set as such: "U_L" becomes U<sub>L</sub>; names of files and keys stay as they are.
+std::string with_subscripts(const std::string& html);
+
+/// A sentence: escape_html and with_subscripts.
 std::string prose_html(const std::string& text);
 
 /// Four significant digits, without an exponent where that is readable: "0.0424", "51750", "1.2·10<sup>-5</sup>". A

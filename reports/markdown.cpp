@@ -1,36 +1,23 @@
 #include "reports/markdown.hpp"
 
-#include <fmt/format.h>
+#include <md4c-html.h>
+#include <md4c.h>
 
 #include <regex>
-#include <sstream>
+#include <stdexcept>
 
 #include "reports/html.hpp"
 
 namespace slfb {
-namespace {
-
-std::string paragraph(const std::string& text) {
-  static const std::regex code("`([^`]+)`"), bold("\\*\\*([^*]+)\\*\\*");
-  const std::string html = std::regex_replace(prose_html(text), code, "<code>$1</code>");
-  return fmt::format("<p>{}</p>\n", std::regex_replace(html, bold, "<b>$1</b>"));
-}
-
-}  // namespace
 
 std::string markdown_html(const std::string& text) {
-  std::istringstream lines(text);
-  std::string html, open;
-  for (std::string line; std::getline(lines, line);) {
-    if (line.starts_with("# ")) continue;
-    if (!line.empty()) {
-      open += (open.empty() ? "" : " ") + line;
-    } else if (!open.empty()) {
-      html += paragraph(open);
-      open.clear();
-    }
-  }
-  return open.empty() ? html : html + paragraph(open);
+  std::string html;
+  const auto append = [](const char* part, MD_SIZE size, void* to) { static_cast<std::string*>(to)->append(part, size); };
+  if (md_html(text.data(), static_cast<MD_SIZE>(text.size()), append, &html, MD_DIALECT_GITHUB, MD_HTML_FLAG_XHTML) != 0)
+    throw std::runtime_error("markdown_html: the text cannot be read");
+  static const std::regex title("^<h1>[^\n]*</h1>\n"), heading("(</?)h[1-6]>");
+  html = std::regex_replace(html, title, "", std::regex_constants::format_first_only);
+  return with_subscripts(std::regex_replace(html, heading, "$1h3>"));
 }
 
 }  // namespace slfb

@@ -4,8 +4,8 @@
 
 namespace slfb {
 
-/// The paragraphs of a README as HTML: bold words, code between backticks, blank lines between paragraphs; the heading
-/// is left out, since the page has its own. The READMEs of the experiments use nothing else.
+/// A README as HTML, subscripts of symbols set as such. Its first heading is left out, since the page has its own; the
+/// others become third-level ones.
 std::string markdown_html(const std::string& text);
 
 }  // namespace slfb

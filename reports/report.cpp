@@ -9,6 +9,7 @@
 #include <cmath>
 #include <fstream>
 #include <nlohmann/json.hpp>
+#include <regex>
 #include <set>
 #include <sstream>
 #include <stdexcept>
@@ -44,7 +45,8 @@ constexpr std::array pages{Page{"index.html", "Overview"},
                            Page{"inconsistencies.html", "What does not add up"},
                            Page{"methods.html", "Methods"},
                            Page{"laws.html", "Laws"},
-                           Page{"provenance.html", "Provenance"}};
+                           Page{"provenance.html", "Provenance"},
+                           Page{"print.html", "All on one page"}};
 
 /// Links to all pages but the figures'; the one called `title` is marked as the present one.
 std::string navigation(std::string_view title) {
@@ -211,6 +213,33 @@ std::string whole_page(const std::string& title, const std::string& body) {
       title, read_file(fs::path(SLFB_SOURCE_DIR) / "reports" / "report.css"), body, escape_html(SLFB_VERSION));
 }
 
+/// The whole report on one page, for paper or PDF. Links between pages become links between its sections, and those to
+/// files beside it are left out: on paper nothing lies beside it.
+std::string print_page(const ReportContents& contents, const fs::path& folder) {
+  const auto section = [](const char* id, const char* title, const std::string& body) {
+    return fmt::format("<section class=\"sheet\" id=\"{}\">\n<h1>{}</h1>\n{}</section>\n", id, title, body);
+  };
+  std::vector<const Evaluation*> of_no_figure;
+  for (const Evaluation& evaluation : contents.evaluations)
+    if (std::ranges::none_of(contents.figures, [&](const auto& f) { return f.id == evaluation.claim.figure; }))
+      of_no_figure.push_back(&evaluation);
+  std::string html = overview(contents) + "</main>\n<main>\n" + figures_to_print(contents, folder / "figures") +
+                     section("claims", "Claims of the text",
+                             "<p>Statements of the paper that belong to no figure.</p>\n" + claim_table(of_no_figure, "")) +
+                     section("inconsistencies", "What does not add up", inconsistency_section(contents)) +
+                     section("methods", "Methods",
+                             markdown_html(read_file(fs::path(SLFB_SOURCE_DIR) / "reports" / "methods.md"))) +
+                     section("laws", "Laws", law_section()) +
+                     section("provenance", "Provenance", provenance_section(contents));
+  static const std::array<std::pair<std::regex, const char*>, 4> links{
+      {{std::regex("href=\"[^\":#]*\\.html#([^\"]+)\""), "href=\"#$1\""},
+       {std::regex("<a href=\"laws/variants\\.html\">|<a href=\"[^\":#]+\\.(svg|h5)\">"), "<a>"},
+       {std::regex("href=\"laws/([^\":#]+)\\.html\""), "href=\"#law-$1\""},
+       {std::regex("href=\"(?:\\.\\./)?(?:figures/)?([a-z0-9-]+)\\.html\""), "href=\"#$1\""}}};
+  for (const auto& [from, to] : links) html = std::regex_replace(html, from, to);
+  return whole_page("slfb report", html);
+}
+
 /// The files of one figure, and only those: a figures folder may hold remains of earlier versions.
 void copy_figure(const FigureOutput& figure, const fs::path& from, const fs::path& to) {
   std::vector<fs::path> files;
@@ -250,6 +279,7 @@ void write_report(const ReportContents& contents, const fs::path& figures_folder
   write_file(folder / "claims.json", claims_json(contents.evaluations).dump(2) + "\n");
   write_file(folder / "index.html",
              whole_page("slfb report", overview(contents) + figure_gallery(contents, figures_folder)));
+  write_file(folder / "print.html", print_page(contents, folder));
   const auto write_page = [&](const char* file, const std::string& title, const std::string& body) {
     write_file(
         folder / file,

@@ -96,7 +96,7 @@ class Simulation {
   void advance_drop(const Stage& stage);
   void release(const Stage& stage);
   void release_when_free(const Stage& stage);
-  [[nodiscard]] std::optional<std::size_t> in_the_way(const Stage& stage, double radius) const;
+  [[nodiscard]] bool in_the_way(const Stage& stage, double radius) const;
   void take_out();
   void remove_at_outlet();
   [[nodiscard]] double sphere_momentum() const;
@@ -233,26 +233,25 @@ void Simulation::end_stage() {
   }
 }
 
-/// A sphere of the bed that lies where a sphere of this radius is released.
-std::optional<std::size_t> Simulation::in_the_way(const Stage& stage, double radius) const {
+/// Whether a sphere of the bed lies where a sphere of this radius is released.
+bool Simulation::in_the_way(const Stage& stage, double radius) const {
   const auto& position = engine_.particles.position;
   for (std::size_t i = 0; i < engine_.particles.size(); ++i)
     if (std::hypot(position.x[i], position.y[i], position.z[i] - stage.release_height) <
         radius + engine_.particles.radius[i])
-      return i;
-  return {};
+      return true;
+  return false;
 }
 
-/// Releases the sphere, or waits: in a bed that reaches up to there spheres come and go. They get as long as a drop.
+/// Releases the sphere, or waits: in a bed that reaches up to there spheres come and go. They get as long as a drop;
+/// after that the bed counts as one that fills its column, and the stage ends without further drops.
 void Simulation::release_when_free(const Stage& stage) {
   const Species& species = species_of(stage);
-  const auto blocking = in_the_way(stage, 0.5 * species.diameter);
-  if (!blocking) return release(stage);
-  if (position_.phase_steps - relaxation_steps(stage) >= steps_in(stage.duration))
-    throw dem::EngineError(
-        fmt::format("release of a {} sphere at z = {} m: sphere {} is in the way, and others were for "
-                    "{} s before (bed too high?)",
-                    species.name, stage.release_height, *blocking, stage.duration));
+  if (!in_the_way(stage, 0.5 * species.diameter)) return release(stage);
+  if (position_.phase_steps - relaxation_steps(stage) < steps_in(stage.duration)) return;
+  spdlog::warn("{}: no {} sphere is released at z = {} m: for {} s some sphere of the bed was in the way there",
+               scene_.title, species.name, stage.release_height, stage.duration);
+  position_.repetition = stage.repetitions;
 }
 
 void Simulation::release(const Stage& stage) {

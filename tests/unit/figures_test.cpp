@@ -288,9 +288,13 @@ TEST(SpherePicture, ShowsWhatIsNotHiddenAndWhatIsNotClipped) {
   EXPECT_TRUE(sphere_picture(snapshot, view, "none").rows.empty());
 }
 
-TEST(Html, AReadmeKeepsItsParagraphsBoldWordsAndCode) {
-  EXPECT_EQ(markdown_html("# Title\n\n**We** measure\nV_2 < 1.\n\nSee `slfb law`.\n"),
-            "<p><b>We</b> measure V<sub>2</sub> &lt; 1.</p>\n<p>See <code>slfb law</code>.</p>\n");
+TEST(Html, AReadmeKeepsItsParagraphsBoldWordsCodeAndTables) {
+  EXPECT_EQ(markdown_html("# Title\n\n**We** measure\nV_2 < 1.\n\n# More\n\nSee `slfb law`.\n"),
+            "<p><strong>We</strong> measure\nV<sub>2</sub> &lt; 1.</p>\n<h3>More</h3>\n<p>See <code>slfb "
+            "law</code>.</p>\n");
+  const std::string table = markdown_html("| key | meaning |\n|---|---|\n| `a` | first |\n");
+  EXPECT_TRUE(table.find("<th>key</th>") != std::string::npos && table.find("<td>first</td>") != std::string::npos)
+      << table;
 }
 
 TEST(Html, MarkupInTextStaysText) {
