@@ -5,6 +5,8 @@
 #include <stdexcept>
 
 #include "experiments/campaign.hpp"
+#include "experiments/plan/plan.hpp"
+#include "experiments/run_files.hpp"
 
 namespace slfb {
 namespace {
@@ -79,6 +81,28 @@ void append(std::vector<std::string>& list, const std::vector<std::string>& more
   list.insert(list.end(), more.begin(), more.end());
 }
 
+std::filesystem::path scene_file(const std::filesystem::path& scene) {
+  return std::filesystem::path(SLFB_SOURCE_DIR) / "experiments" / "scenes" / scene;
+}
+
+/// What the plan for these questions changes in a scene.
+Overrides planned(const std::string& scene, const Overrides& overrides, const std::vector<std::string>& asked) {
+  static const plan::Rules rules = plan::load_rules();
+  return plan::make_plan(load_scene(scene_file(scene), overrides), asked, rules).overrides;
+}
+
+/// What a planned run has otherwise than the paper, as the other profiles say it in their own words.
+std::vector<std::string> planned_differences(const Scene& run, const Scene& paper) {
+  const auto ms = [](double seconds) { return fmt::format("{:.3g} ms", 1e3 * seconds); };
+  const auto fluidised = [](const Scene& scene) {
+    return std::ranges::find(scene.stages, StageKind::fluidise, &Stage::kind)->duration;
+  };
+  return {fmt::format("Contacts {:.0e} N/m at {}, not {:.0e} N/m at {}.", run.contact.stiffness,
+                      ms(run.contact.time_step), paper.contact.stiffness, ms(paper.contact.time_step)),
+          fmt::format("Liquid step {}, not 0.1 ms.", ms(run.fluid.time_step)),
+          fmt::format("Fluidised for {:g} s, not {:g} s.", fluidised(run), fluidised(paper))};
+}
+
 }  // namespace
 
 Profile load_profile(const std::string& name) {
@@ -87,6 +111,8 @@ Profile load_profile(const std::string& name) {
   Profile profile{name, definitions.values<std::string>(definitions.common(), "differences"), {}};
   append(profile.differences, definitions.values<std::string>(table, "differences"));
   const auto profile_overrides = definitions.values<std::string>(table, "overrides");
+  const bool by_plan = table.contains("planned_for");
+  const auto asked = by_plan ? definitions.values<std::string>(table, "planned_for") : std::vector<std::string>{};
 
   for (const toml::node& node : definitions.array(table, "runs")) {
     if (!node.is_table()) throw std::runtime_error(fmt::format("profile \"{}\": a run is not a table", name));
@@ -94,19 +120,28 @@ Profile load_profile(const std::string& name) {
     const auto system = definitions.value<std::string>(run, "system");
     const toml::table& definition = definitions.entry("systems", system);
     const auto scene = definitions.value<std::string>(definition, "scene");
-    auto overrides = profile_overrides;
-    append(overrides, definitions.values<std::string>(definition, "overrides"));
-    if (run.contains("overrides")) append(overrides, definitions.values<std::string>(run, "overrides"));
+    const auto of_system = definitions.values<std::string>(definition, "overrides");
     const auto variant = run["variant"].value_or<std::string>("");
     for (const double velocity : definitions.values<double>(run, "superficial_velocities")) {
-      RunSpec spec{system, velocity, variant, scene, overrides, name};
-      spec.overrides.push_back(fmt::format("liquid.superficial_velocity={} m/s", velocity));
-      if (!variant.empty()) {
-        append(spec.overrides, definitions.values<std::string>(definitions.entry("variants", variant), "overrides"));
+      const std::string of_velocity = fmt::format("liquid.superficial_velocity={} m/s", velocity);
+      RunSpec spec{system, velocity, variant, scene, {}, name};
+      if (by_plan) {
+        auto paper = of_system;
+        paper.push_back(of_velocity);
+        spec.overrides = planned(scene, paper, asked);
       }
+      append(spec.overrides, profile_overrides);
+      append(spec.overrides, of_system);
+      if (run.contains("overrides")) append(spec.overrides, definitions.values<std::string>(run, "overrides"));
+      spec.overrides.push_back(of_velocity);
+      if (!variant.empty())
+        append(spec.overrides, definitions.values<std::string>(definitions.entry("variants", variant), "overrides"));
       profile.runs.push_back(std::move(spec));
     }
   }
+  if (by_plan)
+    append(profile.differences,
+           planned_differences(load_run_scene(profile.runs.front()), load_scene(scene_file(profile.runs.front().scene))));
   profile.goes_on_from_published = table["goes_on_from_published"].value_or(false);
   if (table.contains("whole"))
     for (std::string& key : definitions.values<std::string>(table, "whole")) profile.whole.insert(std::move(key));

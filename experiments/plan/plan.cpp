@@ -134,8 +134,15 @@ double effect_on(const Rule& rule, const std::string& quantity) {
   return found == rule.effect.end() ? 0.0 : found->second;
 }
 
-/// The choice to give up when a quantity leaves its band: of those that a later rule of the same subject betters, the
-/// one with the largest effect. Null when all are inside, or where even the best of all later rules would not do.
+/// Whether two rules choose the same, perhaps of different effect under their own conditions.
+bool same_choice(const Rule& a, const Rule& b) {
+  return a.set == b.set && a.steps_per_contact == b.steps_per_contact &&
+         a.liquid_steps_per_relaxation == b.liquid_steps_per_relaxation &&
+         a.longest_liquid_step == b.longest_liquid_step;
+}
+
+/// The choice to give up when a quantity leaves its band: of those that another choice of a later rule of the same
+/// subject betters, the one with the largest effect. Null when all are inside, or where even the best of all later rules would not do.
 const Rule* too_coarse(const Rules& rules, const std::vector<const Rule*>& chosen, const std::vector<Number>& numbers,
                        const std::vector<std::string>& asked) {
   for (const std::string& quantity : asked) {
@@ -145,7 +152,8 @@ const Rule* too_coarse(const Rules& rules, const std::vector<const Rule*>& chose
       const double own = effect_on(*rule, quantity);
       double least = own;
       for (const Rule& later : rules.list)
-        if (&later > rule && later.subject == rule->subject && holds(later, numbers, asked))
+        if (&later > rule && later.subject == rule->subject && !same_choice(later, *rule) &&
+            holds(later, numbers, asked))
           least = std::min(least, effect_on(later, quantity));
       squares += own * own;
       least_squares += least * least;
@@ -231,6 +239,7 @@ std::vector<Number> numbers_of(const Scene& scene) {
           {"column_over_diameter", column / sphere.diameter, "width of the column in diameters"},
           {"has_walls", walls ? 1.0 : 0.0, "1 with side walls, 0 for periodic sides"},
           {"cell_over_diameter", cell / sphere.diameter, "cell in diameters of the bed's spheres"},
+          {"largest_over_bed", largest / sphere.diameter, "largest sphere in diameters of the bed's"},
           {"cell_over_largest", cell / largest, "cell in diameters of the largest sphere"},
           {"velocity_over_minimum", scene.liquid.superficial_velocity / minimum, "U_L over U_mf: 1 is the packed bed"},
           {"velocity_over_terminal", scene.liquid.superficial_velocity / terminal, "U_L over u_t: 1 is wash-out"},
