@@ -2,12 +2,13 @@
 
 JOBS ?= $(shell nproc)
 PROFILE ?= quick
+STUDIES ?= quick
 SOURCES = git ls-files --cached --others --exclude-standard '*.cpp' '*.hpp'
 
 .PHONY: help figures pdf test build install format lint debug asan tsan
 
 help:
-	@echo "make figures  the figures of the paper and the report (PROFILE=quick or full)"
+	@echo "make figures  the figures of the paper and the report (PROFILE, STUDIES = quick or full)"
 	@echo "make pdf      the report as build/report/report.pdf, after make figures"
 	@echo "make test     all tests"
 	@echo "make build    build/slfb and the tests"
@@ -17,6 +18,8 @@ help:
 	@echo "make debug    all tests without optimisation; asan, tsan: with the sanitizers"
 
 figures: build
+	build/slfb frontier --set $(STUDIES)
+	build/slfb stability --set $(STUDIES)
 	build/slfb figures --profile $(PROFILE)
 	@if [ -z "$$CI" ] && [ -n "$$DISPLAY$$WAYLAND_DISPLAY" ] && command -v xdg-open >/dev/null; then \
 	  xdg-open build/report/index.html >/dev/null 2>&1 || true; \

@@ -62,4 +62,12 @@ std::vector<FinishedRun> published_runs(const Profile& profile) {
   return runs;
 }
 
+std::vector<FinishedRun> runs_with_own_springs(const std::filesystem::path& out) {
+  std::vector<FinishedRun> runs;
+  for (const char* profile : {"springs", "paper-steps"})
+    for (FinishedRun& run : finished_runs(load_profile(profile), out))
+      if (!run.stale) runs.push_back(std::move(run));
+  return runs;
+}
+
 }  // namespace slfb

@@ -56,4 +56,7 @@ std::vector<FinishedRun> own_runs(std::vector<FinishedRun> runs, const std::stri
 /// agree with.
 std::vector<FinishedRun> published_runs(const Profile& profile);
 
+/// Runs that keep the springs of the scene, where the other profiles soften them: those of springs and paper-steps.
+std::vector<FinishedRun> runs_with_own_springs(const std::filesystem::path& out);
+
 }  // namespace slfb

@@ -21,6 +21,14 @@ std::vector<std::string> select_run_keys(const Profile& profile, const std::func
 /// committed results are thinned.
 const FinishedRun* find_run(const FigureContext& context, std::string_view key);
 
+/// The same for figures of single contacts: the run is one of `own_springs` (runs_with_own_springs), unless another was
+/// recorded more often.
+const FinishedRun* find_contact_run(const FigureContext& context, const std::vector<FinishedRun>& own_springs,
+                                    std::string_view key);
+
+/// Says which of these runs stand behind the contacts, collisions and single forces of a figure.
+std::string springs_note(const std::vector<FinishedRun>& own_springs);
+
 /// One measured quantity at one superficial velocity.
 struct MeasuredPoint {
   double superficial_velocity = 0.0;  ///< [m/s]

@@ -40,6 +40,11 @@ bool needs_run(std::string_view key);
 /// between the runs. Of all systems together: equation_40_share_within_10_percent/all.
 Measurements measure_runs(const std::vector<FinishedRun>& runs);
 
+/// Takes what hangs on the springs from `own_springs`, measured in runs with those of the scene
+/// (runs_with_own_springs): contacts and collisions counted, and single forces, also at the stated voidages. A system
+/// changes over as a whole, once two velocities of it are there, so that trends are of one kind.
+void take_contacts_from(const Measurements& own_springs, Measurements& measurements);
+
 /// Everything that follows from the literature laws and the reference data alone ("quantity/what").
 Measurements measure_laws();
 

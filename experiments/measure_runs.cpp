@@ -252,7 +252,38 @@ void measure_equation_40_share(Measurements& measurements) {
                                                              "-", "runs of all systems"};
 }
 
+/// What a softer spring gets wrong: its contacts last longer and hide the next.
+bool hangs_on_springs(std::string_view quantity) {
+  constexpr std::string_view at_voidage = "_at_voidage";
+  if (quantity.ends_with(at_voidage)) quantity.remove_suffix(at_voidage.size());
+  constexpr std::array names{"collision_frequency", "dimensionless_collision_frequency", "ktgf_ratio",
+                             "mean_contacts",       "maximum_contacts",                  "contact_fraction",
+                             "peak_force_ratio",    "contacts_per_particle",             "maximum_overlap_mean"};
+  return std::ranges::find(names, quantity) != names.end();
+}
+
 }  // namespace
+
+void take_contacts_from(const Measurements& own_springs, Measurements& measurements) {
+  /// Quantity and system of a key without variant.
+  const auto parts = [](const std::string& key) -> std::pair<std::string, std::string> {
+    static const std::regex plain("([^/]+)/([0-9]+in[0-9]+[WN])/[0-9.]+");
+    std::smatch match;
+    if (!std::regex_match(key, match, plain)) return {};
+    return {match[1], match[2]};
+  };
+  std::map<std::string, int> velocities;
+  for (const auto& [key, measured] : own_springs)
+    if (const auto [quantity, system] = parts(key); quantity == "collision_frequency") ++velocities[system];
+  const auto changes_over = [&](const std::string& key) {
+    const auto [quantity, system] = parts(key);
+    const auto found = velocities.find(system);
+    return found != velocities.end() && found->second >= 2 && hangs_on_springs(quantity);
+  };
+  std::erase_if(measurements, [&](const auto& entry) { return changes_over(entry.first); });
+  for (const auto& [key, measured] : own_springs)
+    if (changes_over(key)) measurements[key] = measured;
+}
 
 std::string measure_key(std::string_view quantity, std::string_view system, double superficial_velocity,
                         std::string_view variant) {

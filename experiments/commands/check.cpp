@@ -151,6 +151,7 @@ int check(const Options& options, bool json) {
   const Profile profile = load_profile(options.profile);
   const auto runs = finished_runs(with_full_runs(profile), options.out);
   measurements.merge(measure_runs(runs));
+  take_contacts_from(measure_runs(runs_with_own_springs(options.out)), measurements);
   auto evaluations = evaluate(claims, measurements);
   name_causes(evaluations, options.out);
   judge_run_gates(evaluations, measure_runs(own_runs(runs, profile.name)), measure_runs(published_runs(profile)));

@@ -106,6 +106,7 @@ int make_figures(const Options& options) {
   const auto runs = finished_runs(shown, options.out);
   Measurements measurements = measure_without_runs();
   measurements.merge(measure_runs(runs));
+  take_contacts_from(measure_runs(runs_with_own_springs(options.out)), measurements);
 
   // Every figure is drawn, also when only some were named: it takes seconds, and the report stays complete.
   const auto figures_folder = options.out / "figures";
@@ -119,7 +120,7 @@ int make_figures(const Options& options) {
   judge_run_gates(evaluations, measure_runs(own_runs(runs, profile.name)), measure_runs(published_runs(profile)));
   const auto report_folder = options.out / "report";
   auto reported = runs;
-  for (const char* own : {"drag-law", "causes", "paper-steps"})  // their figures read them by themselves
+  for (const char* own : {"drag-law", "causes", "springs", "paper-steps"})  // their figures read them by themselves
     if (profile.name != own)
       for (auto& run : finished_runs(load_profile(own), options.out)) reported.push_back(std::move(run));
   write_report({profile, shown, reported, outputs, evaluations, inconsistencies(), options.out}, figures_folder,
@@ -145,8 +146,8 @@ void add_figures_command(CLI::App& app) {
   command
       ->add_option(
           "--profile", options->profile,
-          "settings of the simulations: quick, full, paper-steps (the paper's own steps), or drag-law and causes (the "
-          "runs of these figures)")
+          "settings of the simulations: quick, full, springs and paper-steps (the paper's own springs, and its own steps "
+          "too), or drag-law and causes (the runs of these figures)")
       ->capture_default_str();
   command->add_option("--jobs", options->jobs, "simulations side by side (default: one per core)")->check(above_zero());
   command->add_option("--threads", options->threads, "threads of each simulation (default: cores over jobs)")

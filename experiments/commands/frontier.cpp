@@ -116,7 +116,7 @@ int run(const Options& options) {
       frontier::save_reduced(reduced, frontier::reduced_file(options.out, study.id));
       if (options.publish) frontier::save_reduced(reduced, frontier::committed_file(study.id));
     }
-    frontier::draw_frontier(study, reduced, options.out / "frontier");
+    frontier::draw_frontier(study, reduced, {}, options.out / "frontier");
     print_study(study, reduced);
   }
   fmt::print("charts: {}\n", (options.out / "frontier").string());

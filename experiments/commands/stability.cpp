@@ -147,7 +147,7 @@ int run(const Options& options) {
     } else {
       solved = stability::load_solved(map, options.out);
     }
-    stability::draw_map(map, solved, options.out / "stability");
+    stability::draw_map(map, solved, {}, options.out / "stability");
     print_map(map, solved);
   }
   fmt::print("maps: {}\n", (options.out / "stability").string());

@@ -23,6 +23,7 @@ FigureOutput draw(const FigureContext& context) {
   const auto keys = needs(context.profile);
   const Peng2014& printed = peng_2014();
   FigureOutput output{"fig16", {}, "", run_notes(context, keys)};
+  output.notes.push_back(springs_note(runs_with_own_springs(context.results)));
   output.caption =
       "Spheres in contact with the 6 mm steel sphere during its passage of the bed, mean over time (above) and most at "
       "once (below), against the voidage. Open black circles: the five numbers that the paper prints (6 in 3 mm). "

@@ -62,10 +62,12 @@ FigureOutput draw(const FigureContext& context) {
   }
   output.data.push_back(write_csv(expansion, context.out));
 
+  const auto own_springs = runs_with_own_springs(context.results);
+  output.notes.push_back(springs_note(own_springs));
   const FinishedRun* run = nullptr;
   std::string description;
   for (const Substitute& substitute : substitutes) {
-    run = find_run(context, fmt::format("{}/{}", substitute.system, substitute.velocity));
+    run = find_contact_run(context, own_springs, fmt::format("{}/{}", substitute.system, substitute.velocity));
     if (run != nullptr && run->result.drops.empty()) run = nullptr;
     description = substitute.description;
     if (run != nullptr) break;

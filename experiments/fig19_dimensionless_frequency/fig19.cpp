@@ -33,6 +33,7 @@ FigureOutput draw(const FigureContext& context) {
   const auto keys = needs(context.profile);
   const Peng2014& printed = peng_2014();
   FigureOutput output{"fig19", {}, "", run_notes(context, keys)};
+  output.notes.push_back(springs_note(runs_with_own_springs(context.results)));
   output.caption = fmt::format(
       "Collision frequency of the 6 mm steel sphere in 5 mm glass, made dimensionless with the diameter and the "
       "fluctuating energy of the fluidised spheres (Eq. 38), against the solid fraction. Dashed black: the kinetic "

@@ -26,6 +26,7 @@ FigureOutput draw(const FigureContext& context) {
   const auto keys = needs(context.profile);
   const Peng2014& printed = peng_2014();
   FigureOutput output{"fig20", {}, "", run_notes(context, keys)};
+  output.notes.push_back(springs_note(runs_with_own_springs(context.results)));
   output.caption =
       "Collision frequency of the foreign sphere against the solid fraction of the bed, for eight pairs of foreign and "
       "fluidised sphere: new contacts per second from entering the bed to the bottom, with 95 % intervals over the "

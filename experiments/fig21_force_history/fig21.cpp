@@ -71,11 +71,13 @@ FigureOutput draw(const FigureContext& context) {
       "ytics "
       "20\nunset key\n"
       "set label 2 'paper: peaks in this range' at graph 0.98, graph 0.89 right font ',10'\n";
+  const auto own_springs = runs_with_own_springs(context.results);
+  output.notes.push_back(springs_note(own_springs));
   for (std::size_t place = 0; place < panels.size(); ++place) {
     const Panel& panel = panels[place];
     const std::string tag = fmt::format("{:.2f}", panel.superficial_velocity);
     const std::string key = fmt::format("{}/{}", system_name, tag);
-    const FinishedRun* run = find_run(context, key);
+    const FinishedRun* run = find_contact_run(context, own_springs, key);
     std::string plot, ours = "–", sampling;
     if (const auto voidage = context.measurements.find("voidage_centre_of_mass/" + key);
         voidage != context.measurements.end())

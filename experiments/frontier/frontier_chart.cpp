@@ -43,7 +43,8 @@ bool has_point(const ReducedPoint& point, const std::string& quantity) {
 
 }  // namespace
 
-FigureOutput draw_frontier(const Study& study, const ReducedStudy& reduced, const std::filesystem::path& folder) {
+FigureOutput draw_frontier(const Study& study, const ReducedStudy& reduced, const ReducedStudy& beside,
+                           const std::filesystem::path& folder) {
   const std::string id = "frontier-" + study.id;
   FigureOutput output{id, {}, study.caption, {}};
   const studies::Problem& problem = studies::find_problem(study.problem);
@@ -103,6 +104,17 @@ FigureOutput draw_frontier(const Study& study, const ReducedStudy& reduced, cons
     names.push_back(table.name);
     output.data.push_back(write_csv(table, folder));
   }
+  DataTable here{id + "_here", {columns[0], columns[1], columns[2]}, {}};
+  for (const std::string& quantity : shown)
+    here.columns.push_back(fmt::format("relative error of {} [-]", studies::find_quantity(problem, quantity).title));
+  for (const ReducedPoint& point : beside.points) {
+    const auto count = point.counts.find(study.count);
+    std::vector<double> row{point.axis, point.cpu_seconds, count == point.counts.end() ? nothing : count->second};
+    for (const std::string& quantity : shown)
+      row.push_back(has_point(point, quantity) ? point.values.at(quantity).error : nothing);
+    here.rows.push_back(std::move(row));
+  }
+  if (!here.rows.empty()) output.data.push_back(write_csv(here, folder));
   const bool both_costs = shown.size() <= 3;
   for (std::size_t q = 0; q < shown.size(); ++q)
     for (const bool by_count : both_costs ? std::vector{true, false} : std::vector{false}) {
@@ -168,8 +180,17 @@ FigureOutput draw_frontier(const Study& study, const ReducedStudy& reduced, cons
             ", '{}_front_{}{}.csv' skip 1 using 1:2 with fsteps linecolor rgb '#000000' linewidth 1 dashtype (6, 4) "
             "title {}",
             id, shown[q], cost == 2 ? "" : "_by_count", key_drawn ? "''" : "'Pareto front'");
+      const auto cost_column = static_cast<std::size_t>(cost) - 1;
+      if (std::any_of(here.rows.begin(), here.rows.end(), [&](const auto& row) {
+            return std::isfinite(row[cost_column]) && std::isfinite(row[3 + q]);
+          }))
+        elements += fmt::format(
+            ", '{}.csv' skip 1 using {}:{} with points pointtype 6 pointsize 1.4 linecolor rgb '#000000' title {}",
+            here.name, cost, 4 + q, key_drawn ? "''" : "'quick set, this machine'");
       // The range first, so that the marks of failures can be put at its top.
       double low = std::numeric_limits<double>::infinity(), high = 0.0;
+      for (const auto& row : here.rows)
+        if (std::isfinite(row[3 + q])) low = std::min(low, row[3 + q]), high = std::max(high, row[3 + q]);
       for (const ReducedPoint& point : reduced.points) {
         const auto found = point.values.find(shown[q]);
         if (!point.failure.empty() || found == point.values.end() || !(found->second.error > 0.0)) continue;
@@ -209,7 +230,7 @@ FigureOutput draw_frontier(const Study& study, const ReducedStudy& reduced, cons
         fmt::format("set label {} {} at screen 0.012, {:.5f} font ',10' textcolor rgb '#6b7580' front\n", 901 + k,
                     gnuplot_text(lines[k]), (foot - 4.0 - 16.0 * (static_cast<double>(k) + 0.5)) / height);
   commands +=
-      fmt::format("set multiplot layout {},{} margins {:.4f},0.985,{:.4f},{:.4f} spacing 0.075,{:.4f}\n", rows_drawn,
+      fmt::format("set multiplot layout {},{} margins {:.4f},0.97,{:.4f},{:.4f} spacing 0.075,{:.4f}\n", rows_drawn,
                   columns_drawn, 78.0 / width, (foot + 58.0) / height, 1.0 - (head + 20.0) / height, 108.0 / height);
   // The text below belongs to the page, not to each of its plots.
   const std::string clear = fmt::format("unset for [tag=901:{}] label tag\n", 900 + lines.size());
@@ -218,6 +239,9 @@ FigureOutput draw_frontier(const Study& study, const ReducedStudy& reduced, cons
   draw_figure(id, commands + plots + "unset multiplot\n", {width, height}, folder);
   output.notes.push_back(
       fmt::format("{} set of `slfb frontier {}`, {}, {}.", reduced.set, study.id, reduced.machine, reduced.date));
+  if (!here.rows.empty())
+    output.notes.push_back(
+        fmt::format("Circles: quick set, {}, {}; against its own reference.", beside.machine, beside.date));
   for (const Reason& reason : reasons)
     output.notes.push_back(fmt::format("Failed (x {}): {}", reason.number, reason.text));
   if (!study.default_text.empty()) output.notes.push_back("The suite's default: " + study.default_text);

@@ -23,7 +23,7 @@ std::vector<Figure> study_figures() {
                     [file](const FigureContext& context) {
                       const auto drawn = frontier::load_study(file, frontier::Set::full);
                       return frontier::draw_frontier(drawn, frontier::load_reduced(drawn, context.results),
-                                                     context.out);
+                                                     frontier::load_beside(drawn, context.results), context.out);
                     },
                     "frontier"});
   }
@@ -32,7 +32,8 @@ std::vector<Figure> study_figures() {
     list.push_back({"stability-" + map.id, map.title, no_runs,
                     [file](const FigureContext& context) {
                       const auto drawn = stability::load_map(file, stability::Set::full);
-                      return stability::draw_map(drawn, stability::load_solved(drawn, context.results), context.out);
+                      return stability::draw_map(drawn, stability::load_solved(drawn, context.results),
+                                                 stability::load_beside(drawn, context.results), context.out);
                     },
                     "stability"});
   }

@@ -68,6 +68,37 @@ PointValue mean_of(const std::vector<TrialResult>& results, const std::string& q
   return {estimate.mean, estimate.half_width, error / static_cast<double>(values.size()) / std::abs(exact), nothing};
 }
 
+/// What save_reduced wrote; no points where there is no file.
+ReducedStudy load_file(const std::filesystem::path& file) {
+  ReducedStudy reduced;
+  std::ifstream stream(file);
+  if (!stream) return reduced;
+  const ordered_json json = ordered_json::parse(stream);
+  reduced.set = json.at("set");
+  reduced.machine = json.at("machine");
+  reduced.date = json.at("date");
+  reduced.numerics = json.at("numerics");
+  for (const auto& [quantity, value] : json.at("reference").items()) reduced.reference[quantity] = point_value(value);
+  for (const auto& one : json.at("points")) {
+    ReducedPoint point;
+    point.series = one.at("series");
+    point.axis = one.at("axis");
+    point.cpu_seconds = one.at("cpu_seconds");
+    point.counts = one.at("counts").get<std::map<std::string, double>>();
+    point.replicates = one.at("replicates");
+    point.failure = one.at("failure");
+    for (const auto& [quantity, value] : one.at("values").items()) point.values[quantity] = point_value(value);
+    reduced.points.push_back(std::move(point));
+  }
+  return reduced;
+}
+
+/// Whether a set of this machine gives way to the committed one: there is none, or it is quick and the other full.
+bool stands_behind(const ReducedStudy& own, const ReducedStudy& committed) {
+  return own.points.empty() ||
+         (own.set == "quick" && committed.set == "full" && committed.numerics == numerics_version);
+}
+
 }  // namespace
 
 std::vector<std::filesystem::path> study_files() { return studies::data_files(folder() / "studies"); }
@@ -227,31 +258,15 @@ void save_reduced(const ReducedStudy& reduced, const std::filesystem::path& file
 }
 
 ReducedStudy load_reduced(const Study& study, const std::filesystem::path& out) {
-  ReducedStudy reduced;
-  reduced.id = study.id;
-  for (const auto& file : {reduced_file(out, study.id), committed_file(study.id)}) {
-    std::ifstream stream(file);
-    if (!stream) continue;
-    const ordered_json json = ordered_json::parse(stream);
-    reduced.set = json.at("set");
-    reduced.machine = json.at("machine");
-    reduced.date = json.at("date");
-    reduced.numerics = json.at("numerics");
-    for (const auto& [quantity, value] : json.at("reference").items()) reduced.reference[quantity] = point_value(value);
-    for (const auto& one : json.at("points")) {
-      ReducedPoint point;
-      point.series = one.at("series");
-      point.axis = one.at("axis");
-      point.cpu_seconds = one.at("cpu_seconds");
-      point.counts = one.at("counts").get<std::map<std::string, double>>();
-      point.replicates = one.at("replicates");
-      point.failure = one.at("failure");
-      for (const auto& [quantity, value] : one.at("values").items()) point.values[quantity] = point_value(value);
-      reduced.points.push_back(std::move(point));
-    }
-    return reduced;
-  }
-  return reduced;
+  ReducedStudy own = load_file(reduced_file(out, study.id)), committed = load_file(committed_file(study.id));
+  ReducedStudy drawn = stands_behind(own, committed) ? std::move(committed) : std::move(own);
+  drawn.id = study.id;
+  return drawn;
+}
+
+ReducedStudy load_beside(const Study& study, const std::filesystem::path& out) {
+  ReducedStudy own = load_file(reduced_file(out, study.id));
+  return stands_behind(own, load_file(committed_file(study.id))) ? own : ReducedStudy{};
 }
 
 std::vector<const ReducedPoint*> pareto_front(const ReducedStudy& reduced, const std::string& quantity,

@@ -65,9 +65,11 @@ struct ReducedStudy {
 /// From the stored trials of the study to means, intervals and errors. Points without any trial are left out.
 ReducedStudy reduce(const Study& study, Set set, const studies::TrialStore& store);
 
-/// The set ("quick") of a study that a run of this machine left in `out`/frontier, or else the committed one;
-/// empty points when there is neither.
+/// What is known of a study: what a run of this machine left in `out`/frontier, or the committed set where there is
+/// none, or where it is the full one and this machine's the quick one. Empty points when there is neither.
 ReducedStudy load_reduced(const Study& study, const std::filesystem::path& out);
+/// This machine's quick set where load_reduced gives the committed full one, to be drawn beside it; else empty.
+ReducedStudy load_beside(const Study& study, const std::filesystem::path& out);
 void save_reduced(const ReducedStudy& reduced, const std::filesystem::path& file);
 /// Place of the committed result.
 std::filesystem::path committed_file(const std::string& id);

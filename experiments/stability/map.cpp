@@ -41,6 +41,39 @@ constexpr std::array kinds{"found", "never fails", "always fails"};
 
 ordered_json number(double value) { return std::isfinite(value) ? ordered_json(value) : ordered_json(nullptr); }
 
+/// What save_solved wrote; no boundaries where there is no file.
+SolvedMap load_file(const std::filesystem::path& file) {
+  SolvedMap solved;
+  std::ifstream stream(file);
+  if (!stream) return solved;
+  const ordered_json json = ordered_json::parse(stream);
+  solved.set = json.at("set");
+  solved.machine = json.at("machine");
+  solved.date = json.at("date");
+  solved.numerics = json.at("numerics");
+  for (const auto& one : json.at("boundaries")) {
+    Boundary b;
+    b.series = one.at("series");
+    b.x = one.at("x");
+    b.kind = static_cast<BoundaryKind>(std::find(kinds.begin(), kinds.end(), one.at("kind").get<std::string>()) -
+                                       kinds.begin());
+    b.y = one.at("y");
+    b.low = one.at("low");
+    b.high = one.at("high");
+    b.trials = one.at("trials");
+    b.diagnosis = one.at("diagnosis");
+    for (const auto& value : one.at("theory")) b.theory.push_back(value.is_null() ? nothing : value.get<double>());
+    solved.boundaries.push_back(std::move(b));
+  }
+  return solved;
+}
+
+/// Whether a set of this machine gives way to the committed one: there is none, or it is quick and the other full.
+bool stands_behind(const SolvedMap& own, const SolvedMap& committed) {
+  return own.boundaries.empty() ||
+         (own.set == "quick" && committed.set == "full" && committed.numerics == numerics_version);
+}
+
 }  // namespace
 
 Trial Map::trial(const MapSeries& of, double x, double y) const {
@@ -211,33 +244,15 @@ void save_solved(const SolvedMap& solved, const std::filesystem::path& file) {
 }
 
 SolvedMap load_solved(const Map& map, const std::filesystem::path& out) {
-  SolvedMap solved;
-  solved.id = map.id;
-  for (const auto& file : {solved_file(out, map.id), committed_file(map.id)}) {
-    std::ifstream stream(file);
-    if (!stream) continue;
-    const ordered_json json = ordered_json::parse(stream);
-    solved.set = json.at("set");
-    solved.machine = json.at("machine");
-    solved.date = json.at("date");
-    solved.numerics = json.at("numerics");
-    for (const auto& one : json.at("boundaries")) {
-      Boundary b;
-      b.series = one.at("series");
-      b.x = one.at("x");
-      b.kind = static_cast<BoundaryKind>(std::find(kinds.begin(), kinds.end(), one.at("kind").get<std::string>()) -
-                                         kinds.begin());
-      b.y = one.at("y");
-      b.low = one.at("low");
-      b.high = one.at("high");
-      b.trials = one.at("trials");
-      b.diagnosis = one.at("diagnosis");
-      for (const auto& value : one.at("theory")) b.theory.push_back(value.is_null() ? nothing : value.get<double>());
-      solved.boundaries.push_back(std::move(b));
-    }
-    return solved;
-  }
-  return solved;
+  SolvedMap own = load_file(solved_file(out, map.id)), committed = load_file(committed_file(map.id));
+  SolvedMap drawn = stands_behind(own, committed) ? std::move(committed) : std::move(own);
+  drawn.id = map.id;
+  return drawn;
+}
+
+SolvedMap load_beside(const Map& map, const std::filesystem::path& out) {
+  SolvedMap own = load_file(solved_file(out, map.id));
+  return stands_behind(own, load_file(committed_file(map.id))) ? own : SolvedMap{};
 }
 
 }  // namespace slfb::stability

@@ -79,7 +79,11 @@ struct SolvedMap {
   std::vector<Boundary> boundaries;
 };
 
+/// What is known of a map: what a run of this machine left in `out`/stability, or the committed set where there is
+/// none, or where it is the full one and this machine's the quick one. Empty boundaries when there is neither.
 SolvedMap load_solved(const Map& map, const std::filesystem::path& out);
+/// This machine's quick set where load_solved gives the committed full one, to be drawn beside it; else empty.
+SolvedMap load_beside(const Map& map, const std::filesystem::path& out);
 void save_solved(const SolvedMap& solved, const std::filesystem::path& file);
 std::filesystem::path committed_file(const std::string& id);
 std::filesystem::path solved_file(const std::filesystem::path& out, const std::string& id);

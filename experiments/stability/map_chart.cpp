@@ -25,7 +25,8 @@ std::string colour_of(std::size_t series) { return colours[series % colours.size
 
 }  // namespace
 
-FigureOutput draw_map(const Map& map, const SolvedMap& solved, const std::filesystem::path& folder) {
+FigureOutput draw_map(const Map& map, const SolvedMap& solved, const SolvedMap& beside,
+                      const std::filesystem::path& folder) {
   const std::string id = "stability-" + map.id;
   FigureOutput output{id, {}, map.caption + " Fails: " + map.criterion_text + ".", {}};
   if (solved.boundaries.empty()) {
@@ -96,6 +97,16 @@ FigureOutput draw_map(const Map& map, const SolvedMap& solved, const std::filesy
           6 + t, common ? "#5b6470" : colour, t % 2 == 0 ? "8, 5" : "2, 4", titled ? gnuplot_text(key) : "''"));
     }
   }
+  DataTable here{id + "_here", {columns[0], columns[1]}, {}};
+  for (const Boundary& b : beside.boundaries)
+    if (b.kind == BoundaryKind::found) here.rows.push_back({b.x, b.y});
+  if (!here.rows.empty()) {
+    output.data.push_back(write_csv(here, folder));
+    elements += fmt::format(
+        ", '{}.csv' skip 1 using 1:2 with points pointtype 6 pointsize 1.4 linecolor rgb '#000000' title 'quick set, this "
+        "machine'",
+        here.name);
+  }
   for (const std::string& element : theory_elements) elements += ", " + element;
   for (const Map::Mark& mark : map.marks) {
     elements += fmt::format(
@@ -133,7 +144,7 @@ FigureOutput draw_map(const Map& map, const SolvedMap& solved, const std::filesy
                           upward ? 0.96 : 0.04);
   commands += fmt::format("set label 301 'holds' at graph 0.985, graph {} right font ',12' textcolor rgb '#3f7f5f'\n",
                           upward ? 0.04 : 0.96);
-  const std::size_t rows = (map.series.size() + theory_elements.size() + 1) / 2;
+  const std::size_t rows = (map.series.size() + theory_elements.size() + (here.rows.empty() ? 0 : 1) + 1) / 2;
   commands += fmt::format(
       "set bmargin {}\nset key at graph 0.5, character {} center top vertical maxrows {} Left reverse font ',11' width "
       "2\n",

@@ -281,5 +281,33 @@ TEST(MeasureLaws, HandComputedNumbers) {
   }
 }
 
+// Contacts are taken from runs with the scene's own springs, all those of a system or none: one velocity of another kind
+// would make a step in a trend. What does not hang on the springs, variants and other systems stay as they are.
+TEST(OwnSprings, CountTheContactsOfAWholeSystem) {
+  const auto of = [](double value) { return Measurement{value, 1.0, 3, "1/s", "run"}; };
+  const Measurements soft{{"collision_frequency/6in5W/0.06", of(10)},
+                          {"collision_frequency/6in5W/0.08", of(20)},
+                          {"collision_frequency/6in5W/0.10", of(30)},
+                          {"collision_frequency/6in5W/0.10/di-felice-1994", of(31)},
+                          {"collision_frequency_at_voidage/6in5W/0.46", of(11)},
+                          {"collision_frequency/6in3W/0.10", of(70)},
+                          {"classification_velocity/6in5W/0.10", of(0.2)}};
+  Measurements stiff{{"collision_frequency/6in5W/0.06", of(15)}, {"classification_velocity/6in5W/0.06", of(0.1)}};
+  Measurements taken = soft;
+  take_contacts_from(stiff, taken);
+  EXPECT_EQ(taken.at("collision_frequency/6in5W/0.06").value, 10) << "one velocity is not enough";
+  EXPECT_FALSE(taken.contains("classification_velocity/6in5W/0.06"));
+
+  stiff["collision_frequency/6in5W/0.10"] = of(45);
+  take_contacts_from(stiff, taken);
+  EXPECT_EQ(taken.at("collision_frequency/6in5W/0.06").value, 15);
+  EXPECT_EQ(taken.at("collision_frequency/6in5W/0.10").value, 45);
+  EXPECT_FALSE(taken.contains("collision_frequency/6in5W/0.08")) << "of the soft kind";
+  EXPECT_FALSE(taken.contains("collision_frequency_at_voidage/6in5W/0.46")) << "of the soft kind";
+  EXPECT_EQ(taken.at("collision_frequency/6in5W/0.10/di-felice-1994").value, 31);
+  EXPECT_EQ(taken.at("collision_frequency/6in3W/0.10").value, 70);
+  EXPECT_EQ(taken.at("classification_velocity/6in5W/0.10").value, 0.2);
+}
+
 }  // namespace
 }  // namespace slfb
