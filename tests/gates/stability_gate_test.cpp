@@ -11,6 +11,7 @@
 #include "correlations/fluidisation/bed_expansion.hpp"
 #include "experiments/figure.hpp"
 #include "experiments/frontier/study.hpp"
+#include "experiments/measure.hpp"
 #include "experiments/plan/figure_plans.hpp"
 #include "experiments/plan/plan.hpp"
 #include "experiments/stability/map.hpp"

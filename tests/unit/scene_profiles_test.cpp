@@ -68,7 +68,7 @@ TEST_P(EachProfile, SayWhatSetsThemApart) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(All, EachProfile, testing::Values("quick", "full"));
+INSTANTIATE_TEST_SUITE_P(All, EachProfile, testing::Values("quick", "full", "springs", "paper-steps"));
 
 TEST(Profiles, QuickCoversTheVelocitiesOfTheFirstFigures) {
   const Profile quick = load_profile("quick");
