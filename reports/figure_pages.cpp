@@ -82,10 +82,13 @@ std::string doubts(const ReportContents& contents, const std::string& id) {
   return items.empty() ? "" : "<h2>What does not add up in the paper</h2>\n<ul class=\"doubts\">\n" + items + "</ul>\n";
 }
 
+/// The figures with a profile of their own, which has their name.
+bool has_own_profile(const Figure& figure) { return figure.id == "drag-law" || figure.id == "causes"; }
+
 /// Keys of the runs that the figure draws; of one with a profile of its own, theirs.
 std::vector<std::string> keys_of(const ReportContents& contents, const Figure& figure) {
   auto keys = figure.needs(contents.shown);
-  return keys.empty() && figure.id == "drag-law" ? figure.needs(load_profile(figure.id)) : keys;
+  return keys.empty() && has_own_profile(figure) ? figure.needs(load_profile(figure.id)) : keys;
 }
 
 /// Simulations that the figure draws, and what they cost.
@@ -170,7 +173,7 @@ std::string body(const ReportContents& contents, const FigureOutput& output, con
   const auto claims = claims_of(contents, output.id);
   const bool simulated = !keys_of(contents, figure).empty();
   const std::string profile = !figure.needs(contents.profile).empty() ? contents.profile.name
-                              : figure.id == "drag-law"               ? figure.id
+                              : has_own_profile(figure)               ? figure.id
                                                                       : "full";
 
   std::string html = fmt::format(

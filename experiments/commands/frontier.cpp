@@ -98,6 +98,7 @@ int run(const Options& options) {
     }
     return 0;
   }
+  std::filesystem::create_directories(options.out / "frontier");
   bool whole = true;
   for (const Study& study : chosen) {
     if (!options.no_run && whole)

@@ -135,6 +135,7 @@ int run(const Options& options) {
       fmt::print("{:<22}{}\n{:<22}  fails: {}\n", map.id, map.title, "", map.criterion_text);
     return 0;
   }
+  std::filesystem::create_directories(options.out / "stability");
   bool whole = true;
   for (const Map& map : chosen) {
     SolvedMap solved{map.id,           options.set, "", fmt::format("{:%Y-%m-%d}", fmt::gmtime(std::time(nullptr))),

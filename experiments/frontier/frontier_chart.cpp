@@ -137,10 +137,10 @@ FigureOutput draw_frontier(const Study& study, const ReducedStudy& reduced, cons
     for (std::size_t q = 0; q < shown.size(); ++q) {
       const auto at = static_cast<int>(first_quantity + 5 * q) + 1;  // first column of the quantity
       plots +=
-          fmt::format("set title {}\nset xlabel {}\n", gnuplot_text(studies::find_quantity(problem, shown[q]).title),
+          fmt::format("set title {} font ',13' offset 0,-0.8\nset xlabel {} font ',13'\n", gnuplot_text(studies::find_quantity(problem, shown[q]).title),
                       gnuplot_text(cost == 2 ? fmt::format("CPU seconds per {}", problem.cost_unit)
                                              : fmt::format("{} per {}", study.count, problem.cost_unit)));
-      plots += q % columns_drawn == 0 ? "set ylabel 'relative error'\n" : "unset ylabel\n";
+      plots += q % columns_drawn == 0 ? "set ylabel 'relative error' font ',13' offset 2,0\n" : "unset ylabel\n";
       const auto reference = reduced.reference.find(shown[q]);
       const bool band = reference != reduced.reference.end() && reference->second.error_half_width > 0.0;
       if (band)
@@ -222,8 +222,8 @@ FigureOutput draw_frontier(const Study& study, const ReducedStudy& reduced, cons
   const std::size_t longest = static_cast<std::size_t>(width) / 6;
   for (std::string& line : lines)
     if (line.size() > longest) line = line.substr(0, longest - 3) + "...";
-  const int head = 62, foot = 16 * static_cast<int>(lines.size()) + 10;
-  const int height = 285 * static_cast<int>(rows_drawn) + head + foot;
+  const int head = 66, foot = 16 * static_cast<int>(lines.size()) + 10;
+  const int height = 290 * static_cast<int>(rows_drawn) + head + foot;
   std::string commands = fmt::format("set logscale xy\nset format '10^{{%L}}'\nset tics font ',11'\n");
   for (std::size_t k = 0; k < lines.size(); ++k)
     commands +=
@@ -231,7 +231,7 @@ FigureOutput draw_frontier(const Study& study, const ReducedStudy& reduced, cons
                     gnuplot_text(lines[k]), (foot - 4.0 - 16.0 * (static_cast<double>(k) + 0.5)) / height);
   commands +=
       fmt::format("set multiplot layout {},{} margins {:.4f},0.97,{:.4f},{:.4f} spacing 0.075,{:.4f}\n", rows_drawn,
-                  columns_drawn, 78.0 / width, (foot + 58.0) / height, 1.0 - (head + 20.0) / height, 108.0 / height);
+                  columns_drawn, 78.0 / width, (foot + 68.0) / height, 1.0 - (head + 20.0) / height, 108.0 / height);
   // The text below belongs to the page, not to each of its plots.
   const std::string clear = fmt::format("unset for [tag=901:{}] label tag\n", 900 + lines.size());
   const auto after_first = plots.find("unset object 1\n");
