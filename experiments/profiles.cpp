@@ -2,6 +2,7 @@
 #include <toml++/toml.h>
 
 #include <algorithm>
+#include <cmath>
 #include <stdexcept>
 
 #include "experiments/campaign.hpp"
@@ -94,11 +95,15 @@ Overrides planned(const std::string& scene, const Overrides& overrides, const st
 /// What a planned run has otherwise than the paper, as the other profiles say it in their own words.
 std::vector<std::string> planned_differences(const Scene& run, const Scene& paper) {
   const auto ms = [](double seconds) { return fmt::format("{:.3g} ms", 1e3 * seconds); };
+  const auto stiffness = [](const Scene& scene) {  // "1e3", not "1e+03"
+    const int power = static_cast<int>(std::floor(std::log10(scene.contact.stiffness) + 1e-9));
+    return fmt::format("{:.2g}e{}", scene.contact.stiffness / std::pow(10.0, power), power);
+  };
   const auto fluidised = [](const Scene& scene) {
     return std::ranges::find(scene.stages, StageKind::fluidise, &Stage::kind)->duration;
   };
-  return {fmt::format("Contacts {:.0e} N/m at {}, not {:.0e} N/m at {}.", run.contact.stiffness,
-                      ms(run.contact.time_step), paper.contact.stiffness, ms(paper.contact.time_step)),
+  return {fmt::format("Contacts {} N/m at {}, not {} N/m at {}.", stiffness(run), ms(run.contact.time_step),
+                      stiffness(paper), ms(paper.contact.time_step)),
           fmt::format("Liquid step {}, not 0.1 ms.", ms(run.fluid.time_step)),
           fmt::format("Fluidised for {:g} s, not {:g} s.", fluidised(run), fluidised(paper))};
 }

@@ -172,13 +172,14 @@ class Summary {
     add("local_voidage_mean", statistics.local_voidage_mean);
     add("local_voidage_minimum", statistics.local_voidage_minimum);
     add("local_voidage_maximum", statistics.local_voidage_maximum);
-    // A drop that was followed for a shorter time without reaching the bottom says nothing.
+    // A drop that was followed for a shorter time without reaching the bottom says nothing; one that rests on the bed or
+    // in it does not fall.
     for (const int seconds : {15, 30}) {
       const std::string quantity = fmt::format("falling_after_{}_s", seconds);
       if (statistics.time_to_bottom && *statistics.time_to_bottom < seconds)
         numbers[quantity] = 0.0;
       else if (statistics.time_followed >= seconds)
-        numbers[quantity] = 1.0;
+        numbers[quantity] = statistics.penetration ? 0.0 : 1.0;
     }
     numbers["bottom_fraction"] = statistics.time_to_bottom ? 1.0 : 0.0;
     add_kinetic_theory(numbers, statistics);

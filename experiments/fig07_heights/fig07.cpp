@@ -81,7 +81,7 @@ FigureOutput draw(const FigureContext& context) {
   const std::string script = fmt::format(
       "set key top right Left reverse font ',12' title 'U_L' left\nset xrange [0:{0:g}]\nset yrange [0:1]\n"
       "set xlabel 'time since release [s]'\nset ylabel 'height z of the sphere [m]'\n"
-      "set label 1 'paper: rests here at 0.03, 0.04' at graph 0.98, first {1:g} right offset 0,0.6 font ',11'\n"
+      "set label 1 'paper: rests here at 0.03, 0.04' at graph 0.98, first {1:g} right offset 0,-0.7 font ',11'\n"
       "set label 2 'paper: arrives' at first {2:g}, first 0.003 offset 0.6,0.9 font ',11'\n"
       "plot {1:g} with lines linestyle 1 notitle{3}, "
       "'fig07_paper.csv' skip 1 using 2:3 with points linestyle 1 dashtype 1 notitle\n",

@@ -153,6 +153,19 @@ TEST(MeasureRuns, ADropThatIsCutShortSaysNothingAboutLaterTimes) {
   EXPECT_FALSE(measured.contains("time_to_bottom/6in5W/0.05"));
 }
 
+// Two spheres that are not at the bottom after 15 s: one sinks at 5 mm/s, the other has come to rest on the bed.
+TEST(MeasureRuns, ASphereThatRestsDoesNotFall) {
+  FinishedRun run = made_up_run(0.05, "a", 0.43, 1450.0, {0.005});
+  DropSeries& drop = run.result.drops.front();
+  ASSERT_GT(drop.time.back(), 15.0);
+  drop.bottom_time = -1.0;
+  EXPECT_DOUBLE_EQ(measure_runs({run}).at("falling_after_15_s/6in5W/0.05").value, 1.0);
+  for (double& z : drop.z) z = std::max(z, 0.215);
+  const auto resting = measure_runs({run});
+  EXPECT_DOUBLE_EQ(resting.at("falling_after_15_s/6in5W/0.05").value, 0.0);
+  EXPECT_DOUBLE_EQ(resting.at("bottom_fraction/6in5W/0.05").value, 0.0);
+}
+
 TEST(MeasureRuns, ASingleDropHasNoInterval) {
   const auto measured = measure_runs({made_up_run(0.06, "a", 0.46, 1450.0, {0.10})});
   EXPECT_TRUE(std::isnan(measured.at("classification_velocity/6in5W/0.06").half_width));
