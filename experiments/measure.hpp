@@ -24,7 +24,8 @@ bool needs_run(std::string_view key);
 ///
 /// Runs of one key and different names are replicates: their drops are pooled. Runs of an older numerics version
 /// count only where the key has no current run. Quantities per run: classification_velocity,
-/// classification_intercept (on the paper's clock: release at 20 s, NaI 30 s), classification_r2, time_to_bottom,
+/// classification_intercept (on the paper's clock: release at 20 s, NaI 30 s) and time_to_bottom of drops from the paper's
+/// height, classification_r2,
 /// time_followed, voidage_centre_of_mass, voidage_bed_top, pressure_drop, packed_voidage, packed_height,
 /// fluctuating_energy, local_fluctuating_energy, contacts_per_particle, collision_frequency,
 /// dimensionless_collision_frequency, collision_force_ratio, collision_force_ratio_of_mean, equation_40_deviation,

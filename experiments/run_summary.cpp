@@ -149,12 +149,14 @@ class Summary {
     const auto add = [&](const std::string& quantity, const std::optional<double>& value) {
       if (value) numbers[quantity] = *value;
     };
+    // Times since the release are the paper's only from its height.
+    const bool from_the_top = !drop.z.empty() && drop.z.front() > 0.98 * peng_2014().value("column_height");
     if (statistics.classification) {
       numbers["classification_velocity"] = statistics.classification->velocity;
-      numbers["classification_intercept"] = statistics.classification->intercept;
+      if (from_the_top) numbers["classification_intercept"] = statistics.classification->intercept;
       numbers["classification_r2"] = statistics.classification->r_squared;
     }
-    add("time_to_bottom", statistics.time_to_bottom);
+    if (from_the_top) add("time_to_bottom", statistics.time_to_bottom);
     add("terminal_velocity", statistics.terminal_velocity);
     add("terminal_reynolds", statistics.terminal_reynolds);
     add("penetration", statistics.penetration);

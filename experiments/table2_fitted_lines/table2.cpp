@@ -35,9 +35,8 @@ FigureOutput draw(const FigureContext& context) {
       "paper's "
       "(one drop each) and ours (mean of the drops with its 95 % interval). Time runs from the start of fluidisation "
       "and the "
-      "drop is at 20 s, so the intercept holds the time of arrival: it depends on the height of release, which the "
-      "note "
-      "below names. The intercept printed for 0.17 m/s repeats that of 0.16.";
+      "drop is at 20 s, so the intercept holds the time of arrival: only drops from the paper's height have one. The "
+      "intercept printed for 0.17 m/s repeats that of 0.16.";
   DataTable table{"table2_lines",
                   {"superficial velocity [m/s]", "paper V_2 [m/s]", "V_2 [m/s]",
                    "half width of its 95 % interval [m/s]", "paper intercept [m]", "intercept [m]",
