@@ -27,7 +27,7 @@ struct Profile {
   std::string name;
   std::vector<std::string> differences;  ///< sentences, shown on each figure
   std::vector<RunSpec> runs;
-  std::set<std::string> whole = {};  ///< run_key of those that figures draw sample by sample: published unthinned
+  std::set<std::string> whole = {};     ///< run_key of those that figures draw sample by sample: published unthinned
   bool goes_on_from_published = false;  ///< what is published and up to date is not simulated again
 };
 Profile load_profile(const std::string& name);

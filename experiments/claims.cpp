@@ -344,6 +344,11 @@ void judge_gate(Evaluation& evaluation) {
   }
 }
 
+bool of_both(const std::vector<Measurement>& values, Springs one, Springs other) {
+  return std::ranges::count(values, one, &Measurement::springs) > 0 &&
+         std::ranges::count(values, other, &Measurement::springs) > 0;
+}
+
 /// Why a measure is missing: its run is, or the run is there and has no such number.
 std::string missing_text(const std::string& measure, const Measurements& measurements) {
   if (!needs_run(measure)) return "not yet measured: " + measure;
@@ -378,6 +383,9 @@ Evaluation evaluate_claim(const Claim& claim, const Measurements& measurements) 
     evaluation.reason = missing;
   } else if (claim.measures.empty()) {
     evaluation.reason = claim.undecidable;
+  } else if (of_both(values, Springs::own, Springs::softened)) {
+    evaluation.reason =
+        "runs with the paper's springs would be compared with softened ones: more of the former are needed";
   } else if (is_trend(claim)) {
     judge_trend(evaluation, values);
   } else {

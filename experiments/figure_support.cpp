@@ -92,9 +92,7 @@ double sample_interval(const DropSeries& drop) {
   return (drop.time.back() - drop.time.front()) / static_cast<double>(drop.time.size() - 1);
 }
 
-const FinishedRun* find_run(const FigureContext& context, std::string_view key) {
-  return best_of(context.runs, key);
-}
+const FinishedRun* find_run(const FigureContext& context, std::string_view key) { return best_of(context.runs, key); }
 
 const FinishedRun* find_contact_run(const FigureContext& context, const std::vector<FinishedRun>& own_springs,
                                     std::string_view key) {

@@ -256,9 +256,11 @@ void measure_equation_40_share(Measurements& measurements) {
 bool hangs_on_springs(std::string_view quantity) {
   constexpr std::string_view at_voidage = "_at_voidage";
   if (quantity.ends_with(at_voidage)) quantity.remove_suffix(at_voidage.size());
-  constexpr std::array names{"collision_frequency", "dimensionless_collision_frequency", "ktgf_ratio",
-                             "mean_contacts",       "maximum_contacts",                  "contact_fraction",
-                             "peak_force_ratio",    "contacts_per_particle",             "maximum_overlap_mean"};
+  constexpr std::array names{"collision_frequency", "dimensionless_collision_frequency",
+                             "ktgf_ratio",          "mean_contacts",
+                             "maximum_contacts",    "contact_fraction",
+                             "peak_force_ratio",    "contacts_per_particle",
+                             "maximum_overlap_mean"};
   return std::ranges::find(names, quantity) != names.end();
 }
 
@@ -281,8 +283,13 @@ void take_contacts_from(const Measurements& own_springs, Measurements& measureme
     return found != velocities.end() && found->second >= 2 && hangs_on_springs(quantity);
   };
   std::erase_if(measurements, [&](const auto& entry) { return changes_over(entry.first); });
-  for (const auto& [key, measured] : own_springs)
-    if (changes_over(key)) measurements[key] = measured;
+  for (auto& [key, measured] : measurements)
+    if (hangs_on_springs(parts(key).first)) measured.springs = Springs::softened;
+  for (const auto& [key, measured] : own_springs) {
+    if (!changes_over(key)) continue;
+    measurements[key] = measured;
+    measurements[key].springs = Springs::own;
+  }
 }
 
 std::string measure_key(std::string_view quantity, std::string_view system, double superficial_velocity,

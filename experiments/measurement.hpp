@@ -8,6 +8,9 @@
 
 namespace slfb {
 
+/// Of the runs behind a number that hangs on them: those of the scene, or softened ones.
+enum class Springs { any, own, softened };
+
 /// A measured number with its 95 % confidence interval.
 struct Measurement {
   double value = std::numeric_limits<double>::quiet_NaN();
@@ -15,6 +18,7 @@ struct Measurement {
   std::size_t samples = 1;  ///< independent samples (replicates, or effective ones of a correlated series)
   std::string unit;
   std::string origin;  ///< what produced it: "law", "arithmetic", or the name of the run
+  Springs springs = Springs::any;
 };
 
 /// Keys read "<quantity>/<system>/<U_L>", e.g. "classification_velocity/6in5W/0.06"; a variant follows after a

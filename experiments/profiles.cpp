@@ -145,8 +145,8 @@ Profile load_profile(const std::string& name) {
     }
   }
   if (by_plan)
-    append(profile.differences,
-           planned_differences(load_run_scene(profile.runs.front()), load_scene(scene_file(profile.runs.front().scene))));
+    append(profile.differences, planned_differences(load_run_scene(profile.runs.front()),
+                                                    load_scene(scene_file(profile.runs.front().scene))));
   profile.goes_on_from_published = table["goes_on_from_published"].value_or(false);
   if (table.contains("whole"))
     for (std::string& key : definitions.values<std::string>(table, "whole")) profile.whole.insert(std::move(key));

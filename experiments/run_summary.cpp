@@ -174,8 +174,8 @@ class Summary {
     add("local_voidage_mean", statistics.local_voidage_mean);
     add("local_voidage_minimum", statistics.local_voidage_minimum);
     add("local_voidage_maximum", statistics.local_voidage_maximum);
-    // A drop that was followed for a shorter time without reaching the bottom says nothing; one that rests on the bed or
-    // in it does not fall.
+    // A drop that was followed for a shorter time without reaching the bottom says nothing; one that rests on the bed
+    // or in it does not fall.
     for (const int seconds : {15, 30}) {
       const std::string quantity = fmt::format("falling_after_{}_s", seconds);
       if (statistics.time_to_bottom && *statistics.time_to_bottom < seconds)

@@ -223,14 +223,13 @@ std::string print_page(const ReportContents& contents, const fs::path& folder) {
   for (const Evaluation& evaluation : contents.evaluations)
     if (std::ranges::none_of(contents.figures, [&](const auto& f) { return f.id == evaluation.claim.figure; }))
       of_no_figure.push_back(&evaluation);
-  std::string html = overview(contents) + "</main>\n<main>\n" + figures_to_print(contents, folder / "figures") +
-                     section("claims", "Claims of the text",
-                             "<p>Statements of the paper that belong to no figure.</p>\n" + claim_table(of_no_figure, "")) +
-                     section("inconsistencies", "What does not add up", inconsistency_section(contents)) +
-                     section("methods", "Methods",
-                             markdown_html(read_file(fs::path(SLFB_SOURCE_DIR) / "reports" / "methods.md"))) +
-                     section("laws", "Laws", law_section()) +
-                     section("provenance", "Provenance", provenance_section(contents));
+  std::string html =
+      overview(contents) + "</main>\n<main>\n" + figures_to_print(contents, folder / "figures") +
+      section("claims", "Claims of the text",
+              "<p>Statements of the paper that belong to no figure.</p>\n" + claim_table(of_no_figure, "")) +
+      section("inconsistencies", "What does not add up", inconsistency_section(contents)) +
+      section("methods", "Methods", markdown_html(read_file(fs::path(SLFB_SOURCE_DIR) / "reports" / "methods.md"))) +
+      section("laws", "Laws", law_section()) + section("provenance", "Provenance", provenance_section(contents));
   static const std::array<std::pair<std::regex, const char*>, 4> links{
       {{std::regex("href=\"[^\":#]*\\.html#([^\"]+)\""), "href=\"#$1\""},
        {std::regex("<a href=\"laws/variants\\.html\">|<a href=\"[^\":#]+\\.(svg|h5)\">"), "<a>"},

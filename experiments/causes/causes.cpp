@@ -42,11 +42,10 @@ struct Quantity {
   const char *name, *title;
 };
 constexpr std::array quantities{
-    Quantity{"packed_voidage", "packed bed"},      Quantity{"voidage_centre_of_mass", "voidage"},
-    Quantity{"classification_velocity", "V_2"},
-    Quantity{"collision_force_ratio", "|F_c|/mg"}, Quantity{"drag_ratio", "drag/mg"},
-    Quantity{"collision_frequency", "f_{coll}"},   Quantity{"mean_contacts", "contacts"},
-    Quantity{"fluctuating_energy", "q_p^2"}};
+    Quantity{"packed_voidage", "packed bed"},   Quantity{"voidage_centre_of_mass", "voidage"},
+    Quantity{"classification_velocity", "V_2"}, Quantity{"collision_force_ratio", "|F_c|/mg"},
+    Quantity{"drag_ratio", "drag/mg"},          Quantity{"collision_frequency", "f_{coll}"},
+    Quantity{"mean_contacts", "contacts"},      Quantity{"fluctuating_energy", "q_p^2"}};
 
 /// Measurements of one variant under the keys of the unchanged scene.
 Measurements measured(const Profile& profile, const std::string& variant, const std::filesystem::path& results) {
@@ -110,7 +109,8 @@ FigureOutput draw(const FigureContext& outer) {
       "Each row changes one thing of the bed of 5 mm glass under the falling 6 mm steel sphere and leaves the rest as "
       "in "
       "profile drag-law with Gidaspow's law and friction 0.3. Shown is the quantity over that of the unchanged bed, at "
-      "U_L = 0.06 m/s (circles) and 0.10 m/s (squares), with 95 % intervals (packed bed: voidage as settled, one bed, which "
+      "U_L = 0.06 m/s (circles) and 0.10 m/s (squares), with 95 % intervals (packed bed: voidage as settled, one bed, "
+      "which "
       "U_L does not change). Points beyond the axes are drawn at their "
       "ends. The claims say in their reasons which of these changes would bring them inside the paper's band.";
 

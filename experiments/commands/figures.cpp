@@ -144,10 +144,10 @@ void add_figures_command(CLI::App& app) {
   CLI::App* command = app.add_subcommand("figures", "Simulate what is missing, draw the figures, write the report");
   command->add_option("ID", options->ids, "figures to simulate for: " + known_ids() + " (default: all)");
   command
-      ->add_option(
-          "--profile", options->profile,
-          "settings of the simulations: quick, full, springs and paper-steps (the paper's own springs, and its own steps "
-          "too), or drag-law and causes (the runs of these figures)")
+      ->add_option("--profile", options->profile,
+                   "settings of the simulations: quick, full, springs and paper-steps (the paper's own springs, and "
+                   "its own steps "
+                   "too), or drag-law and causes (the runs of these figures)")
       ->capture_default_str();
   command->add_option("--jobs", options->jobs, "simulations side by side (default: one per core)")->check(above_zero());
   command->add_option("--threads", options->threads, "threads of each simulation (default: cores over jobs)")

@@ -136,10 +136,10 @@ FigureOutput draw_frontier(const Study& study, const ReducedStudy& reduced, cons
   for (const int cost : both_costs ? std::vector<int>{3, 2} : std::vector<int>{2})
     for (std::size_t q = 0; q < shown.size(); ++q) {
       const auto at = static_cast<int>(first_quantity + 5 * q) + 1;  // first column of the quantity
-      plots +=
-          fmt::format("set title {} font ',13' offset 0,-0.8\nset xlabel {} font ',13'\n", gnuplot_text(studies::find_quantity(problem, shown[q]).title),
-                      gnuplot_text(cost == 2 ? fmt::format("CPU seconds per {}", problem.cost_unit)
-                                             : fmt::format("{} per {}", study.count, problem.cost_unit)));
+      plots += fmt::format("set title {} font ',13' offset 0,-0.8\nset xlabel {} font ',13'\n",
+                           gnuplot_text(studies::find_quantity(problem, shown[q]).title),
+                           gnuplot_text(cost == 2 ? fmt::format("CPU seconds per {}", problem.cost_unit)
+                                                  : fmt::format("{} per {}", study.count, problem.cost_unit)));
       plots += q % columns_drawn == 0 ? "set ylabel 'relative error' font ',13' offset 2,0\n" : "unset ylabel\n";
       const auto reference = reduced.reference.find(shown[q]);
       const bool band = reference != reduced.reference.end() && reference->second.error_half_width > 0.0;
@@ -181,9 +181,8 @@ FigureOutput draw_frontier(const Study& study, const ReducedStudy& reduced, cons
             "title {}",
             id, shown[q], cost == 2 ? "" : "_by_count", key_drawn ? "''" : "'Pareto front'");
       const auto cost_column = static_cast<std::size_t>(cost) - 1;
-      if (std::any_of(here.rows.begin(), here.rows.end(), [&](const auto& row) {
-            return std::isfinite(row[cost_column]) && std::isfinite(row[3 + q]);
-          }))
+      if (std::any_of(here.rows.begin(), here.rows.end(),
+                      [&](const auto& row) { return std::isfinite(row[cost_column]) && std::isfinite(row[3 + q]); }))
         elements += fmt::format(
             ", '{}.csv' skip 1 using {}:{} with points pointtype 6 pointsize 1.4 linecolor rgb '#000000' title {}",
             here.name, cost, 4 + q, key_drawn ? "''" : "'quick set, this machine'");

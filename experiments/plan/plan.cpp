@@ -142,7 +142,8 @@ bool same_choice(const Rule& a, const Rule& b) {
 }
 
 /// The choice to give up when a quantity leaves its band: of those that another choice of a later rule of the same
-/// subject betters, the one with the largest effect. Null when all are inside, or where even the best of all later rules would not do.
+/// subject betters, the one with the largest effect. Null when all are inside, or where even the best of all later
+/// rules would not do.
 const Rule* too_coarse(const Rules& rules, const std::vector<const Rule*>& chosen, const std::vector<Number>& numbers,
                        const std::vector<std::string>& asked) {
   for (const std::string& quantity : asked) {

@@ -103,7 +103,8 @@ FigureOutput draw_map(const Map& map, const SolvedMap& solved, const SolvedMap& 
   if (!here.rows.empty()) {
     output.data.push_back(write_csv(here, folder));
     elements += fmt::format(
-        ", '{}.csv' skip 1 using 1:2 with points pointtype 6 pointsize 1.4 linecolor rgb '#000000' title 'quick set, this "
+        ", '{}.csv' skip 1 using 1:2 with points pointtype 6 pointsize 1.4 linecolor rgb '#000000' title 'quick set, "
+        "this "
         "machine'",
         here.name);
   }

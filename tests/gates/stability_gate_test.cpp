@@ -217,8 +217,8 @@ TEST(PlanGate, ErrorsThatAddUpTakeARicherChoice) {
 }
 
 // A sphere wider than its cell falls too fast (map foreign-sphere), so no plan for its fall has such cells, whatever
-// finer ones might win elsewhere. Where the bed itself hangs on the cells, next to minimum fluidisation, the plan admits
-// that V_2 stays outside its band.
+// finer ones might win elsewhere. Where the bed itself hangs on the cells, next to minimum fluidisation, the plan
+// admits that V_2 stays outside its band.
 TEST(PlanGate, CellsHoldTheSphereThatFalls) {
   const auto rules = plan::load_rules();
   for (const RunSpec& run : load_profile("full").runs) {
@@ -245,11 +245,10 @@ TEST(PlanGate, ProfileQuickIsPlanned) {
   for (const RunSpec& run : load_profile("quick").runs) {
     if (!run.variant.empty()) continue;
     const fs::path file = fs::path(SLFB_SOURCE_DIR) / "experiments/scenes" / run.scene;
-    const Scene paper =
-        load_scene(file, {fmt::format("liquid.superficial_velocity={} m/s", run.superficial_velocity)});
+    const Scene paper = load_scene(file, {fmt::format("liquid.superficial_velocity={} m/s", run.superficial_velocity)});
     const Scene planned = plan::changed(
-        paper,
-        plan::make_plan(paper, {"classification_velocity", "voidage", "pressure_drop", "force_ratio"}, rules).overrides);
+        paper, plan::make_plan(paper, {"classification_velocity", "voidage", "pressure_drop", "force_ratio"}, rules)
+                   .overrides);
     Scene quick = load_scene(file, run.overrides);
     quick.geometry = planned.geometry;
     for (std::size_t k = 0; k < quick.stages.size(); ++k) {

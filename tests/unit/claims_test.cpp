@@ -374,5 +374,17 @@ TEST(RunGates, RaiseAFalseAlarmOnceInAThousandTimes) {
   EXPECT_LE(alarms, 37);
 }
 
+// A trend over systems whose runs have springs of two kinds is a trend of the springs as well.
+TEST(Claims, DoNotCompareSpringsOfTwoKinds) {
+  Claim rising = made_up_claim();
+  rising.kind = StatementKind::increasing;
+  rising.measures = {"collision_frequency/a", "collision_frequency/b"};
+  Measurements values{{"collision_frequency/a", {1.0, 0.1, 3, "1/s", "", Springs::own}},
+                      {"collision_frequency/b", {2.0, 0.1, 3, "1/s", "", Springs::own}}};
+  EXPECT_EQ(evaluate_one(rising, values).verdict, Verdict::reproduced);
+  values.at("collision_frequency/b").springs = Springs::softened;
+  EXPECT_EQ(evaluate_one(rising, values).verdict, Verdict::not_decidable);
+}
+
 }  // namespace
 }  // namespace slfb

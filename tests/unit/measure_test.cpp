@@ -141,8 +141,8 @@ TEST(MeasureRuns, NumbersOfAKnownRun) {
   EXPECT_NEAR(at("wall_seconds_per_simulated_second").value, 5.0, 1e-12);
 }
 
-// z = 0.997 − V (t − 20) on the paper's clock. Drops from another height reach the bottom at another time, and may stand
-// under the same key: they say nothing of times.
+// z = 0.997 − V (t − 20) on the paper's clock. Drops from another height reach the bottom at another time, and may
+// stand under the same key: they say nothing of times.
 TEST(MeasureRuns, TimesSinceTheReleaseAreThoseOfThePapersHeight) {
   const auto low = made_up_run(0.06, "low", 0.46, 1450.0, {0.09, 0.11});
   EXPECT_FALSE(measure_runs({low}).contains("time_to_bottom/6in5W/0.06"));
@@ -303,8 +303,8 @@ TEST(MeasureLaws, HandComputedNumbers) {
   }
 }
 
-// Contacts are taken from runs with the scene's own springs, all those of a system or none: one velocity of another kind
-// would make a step in a trend. What does not hang on the springs, variants and other systems stay as they are.
+// Contacts are taken from runs with the scene's own springs, all those of a system or none: one velocity of another
+// kind would make a step in a trend. What does not hang on the springs, variants and other systems stay as they are.
 TEST(OwnSprings, CountTheContactsOfAWholeSystem) {
   const auto of = [](double value) { return Measurement{value, 1.0, 3, "1/s", "run"}; };
   const Measurements soft{{"collision_frequency/6in5W/0.06", of(10)},
@@ -328,6 +328,9 @@ TEST(OwnSprings, CountTheContactsOfAWholeSystem) {
   EXPECT_FALSE(taken.contains("collision_frequency_at_voidage/6in5W/0.46")) << "of the soft kind";
   EXPECT_EQ(taken.at("collision_frequency/6in5W/0.10/di-felice-1994").value, 31);
   EXPECT_EQ(taken.at("collision_frequency/6in3W/0.10").value, 70);
+  EXPECT_EQ(taken.at("collision_frequency/6in3W/0.10").springs, Springs::softened);
+  EXPECT_EQ(taken.at("collision_frequency/6in5W/0.10").springs, Springs::own);
+  EXPECT_EQ(taken.at("classification_velocity/6in5W/0.10").springs, Springs::any);
   EXPECT_EQ(taken.at("classification_velocity/6in5W/0.10").value, 0.2);
 }
 

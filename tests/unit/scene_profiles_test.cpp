@@ -85,7 +85,8 @@ TEST(Profiles, UnknownNameListsTheKnownOnes) {
     load_profile("swift");
     FAIL();
   } catch (const std::runtime_error& error) {
-    EXPECT_NE(std::string(error.what()).find("known: \"causes\", \"drag-law\", \"full\", \"paper-steps\", \"quick\", \"springs\""),
+    EXPECT_NE(std::string(error.what())
+                  .find("known: \"causes\", \"drag-law\", \"full\", \"paper-steps\", \"quick\", \"springs\""),
               std::string::npos)
         << error.what();
   }
