@@ -128,6 +128,7 @@ FigureOutput draw_frontier(const Study& study, const ReducedStudy& reduced, cons
       output.data.push_back(write_csv(front, folder));
     }
 
+  const int key_rows = here.rows.empty() ? 2 : 3;
   const std::size_t columns_drawn = std::min<std::size_t>(shown.size() > 6 ? 4 : 3, shown.size());
   const std::size_t rows_drawn = both_costs ? 2 : (shown.size() + columns_drawn - 1) / columns_drawn;
   std::string plots;
@@ -208,7 +209,9 @@ FigureOutput draw_frontier(const Study& study, const ReducedStudy& reduced, cons
       plots += most < 1.01 * least ? fmt::format("set xrange [{:.6g}:{:.6g}]\n", 0.5 * least, 2.0 * most)
                                    : std::string("set xrange [*:*]\n");
       plots += fmt::format("top = {:.6g}\nset yrange [{:.6g}:{:.6g}]\n", 5.0 * high, 0.4 * low, 9.0 * high);
-      if (!key_drawn) plots += "set key at screen 0.5, 0.985 center top vertical maxrows 2 width 2 font ',12'\n";
+      if (!key_drawn)
+        plots +=
+            fmt::format("set key at screen 0.5, 0.985 center top vertical maxrows {} width 2 font ',12'\n", key_rows);
       plots += fmt::format("plot {}\nunset object 1\nset key off\n", elements);
       key_drawn = true;
     }
@@ -221,7 +224,7 @@ FigureOutput draw_frontier(const Study& study, const ReducedStudy& reduced, cons
   const std::size_t longest = static_cast<std::size_t>(width) / 6;
   for (std::string& line : lines)
     if (line.size() > longest) line = line.substr(0, longest - 3) + "...";
-  const int head = 66, foot = 16 * static_cast<int>(lines.size()) + 10;
+  const int head = 32 + 17 * key_rows, foot = 16 * static_cast<int>(lines.size()) + 10;
   const int height = 290 * static_cast<int>(rows_drawn) + head + foot;
   std::string commands = fmt::format("set logscale xy\nset format '10^{{%L}}'\nset tics font ',11'\n");
   for (std::size_t k = 0; k < lines.size(); ++k)
