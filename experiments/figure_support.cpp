@@ -108,7 +108,7 @@ std::string springs_note(const std::vector<FinishedRun>& own_springs) {
       "Contacts, collisions and single forces hang on the springs: where a system has two velocities with those of the "
       "paper, they are taken from these runs alone (profiles springs and paper-steps: {}); elsewhere the springs are "
       "softer: contacts last three times as long and hide collisions, an eighth of them at 0.20 m/s, a fifth at 0.10, "
-      "five sixths at 0.06 (6in5W).",
+      "nearly three quarters at 0.06 (6in5W).",
       keys.empty() ? "none yet" : join(keys, ", "));
 }
 
