@@ -7,6 +7,7 @@
 
 #include "experiments/campaign.hpp"
 #include "experiments/plan/plan.hpp"
+#include "experiments/reference_data.hpp"
 #include "experiments/run_files.hpp"
 
 namespace slfb {
@@ -104,7 +105,7 @@ std::vector<std::string> planned_differences(const Scene& run, const Scene& pape
   };
   return {fmt::format("Contacts {} N/m at {}, not {} N/m at {}.", stiffness(run), ms(run.contact.time_step),
                       stiffness(paper), ms(paper.contact.time_step)),
-          fmt::format("Liquid step {}, not 0.1 ms.", ms(run.fluid.time_step)),
+          fmt::format("Liquid step {}, not {}.", ms(run.fluid.time_step), ms(peng_2014().value("fluid_time_step"))),
           fmt::format("Fluidised for {:g} s, not {:g} s.", fluidised(run), fluidised(paper))};
 }
 

@@ -138,8 +138,8 @@ int run(const Options& options) {
   std::filesystem::create_directories(options.out / "stability");
   bool whole = true;
   for (const Map& map : chosen) {
-    SolvedMap solved{map.id,           options.set, "", fmt::format("{:%Y-%m-%d}", fmt::gmtime(std::time(nullptr))),
-                     numerics_version, {}};
+    SolvedMap solved{
+        {map.id, options.set, "", fmt::format("{:%Y-%m-%d}", fmt::gmtime(std::time(nullptr))), numerics_version}, {}};
     if (!options.no_run && whole) {
       whole = compute(map, options, solved);
       // Half a map must not take the place of a whole one.

@@ -93,12 +93,6 @@ ReducedStudy load_file(const std::filesystem::path& file) {
   return reduced;
 }
 
-/// Whether a set of this machine gives way to the committed one: there is none, or it is quick and the other full.
-bool stands_behind(const ReducedStudy& own, const ReducedStudy& committed) {
-  return own.points.empty() ||
-         (own.set == "quick" && committed.set == "full" && committed.numerics == numerics_version);
-}
-
 }  // namespace
 
 std::vector<std::filesystem::path> study_files() { return studies::data_files(folder() / "studies"); }

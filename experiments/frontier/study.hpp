@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "experiments/studies/solved_set.hpp"
 #include "experiments/studies/trial_store.hpp"
 
 /// Error against cost of methods: what a study asks, what was found, and how that is kept.
@@ -54,9 +55,7 @@ struct ReducedPoint {
   std::string failure;  ///< of a replicate; empty when all have answered
 };
 
-struct ReducedStudy {
-  std::string id, set, machine, date;
-  int numerics = 0;
+struct ReducedStudy : studies::SolvedSet {
   std::vector<ReducedPoint> points;
   /// Of the reference: value, half_width, and in error_half_width the half width over the value.
   std::map<std::string, PointValue> reference;

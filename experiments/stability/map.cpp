@@ -68,12 +68,6 @@ SolvedMap load_file(const std::filesystem::path& file) {
   return solved;
 }
 
-/// Whether a set of this machine gives way to the committed one: there is none, or it is quick and the other full.
-bool stands_behind(const SolvedMap& own, const SolvedMap& committed) {
-  return own.boundaries.empty() ||
-         (own.set == "quick" && committed.set == "full" && committed.numerics == numerics_version);
-}
-
 }  // namespace
 
 Trial Map::trial(const MapSeries& of, double x, double y) const {

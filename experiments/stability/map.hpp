@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "experiments/studies/solved_set.hpp"
 #include "experiments/studies/trial_store.hpp"
 
 /// Where methods fail: the boundary over two parameters, by bisection on a criterion stated in physics.
@@ -73,9 +74,7 @@ struct Boundary {
 std::optional<Boundary> find_boundary(const Map& map, const MapSeries& series, double x,
                                       const studies::TrialStore& store, const std::function<bool()>& stop = {});
 
-struct SolvedMap {
-  std::string id, set, machine, date;
-  int numerics = 0;
+struct SolvedMap : studies::SolvedSet {
   std::vector<Boundary> boundaries;
 };
 
