@@ -1,5 +1,6 @@
 #pragma once
 
+#include <filesystem>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -52,5 +53,9 @@ Measurements measure_laws();
 
 /// All that needs no simulated bed: measure_laws and measure_probes.
 Measurements measure_without_runs();
+
+/// What claims and figures are held against: all that needs no run, these runs, and contacts from those with the
+/// scene's own springs in `out`/runs or committed.
+Measurements measure_all(const std::vector<FinishedRun>& runs, const std::filesystem::path& out);
 
 }  // namespace slfb

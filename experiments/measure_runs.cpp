@@ -336,4 +336,11 @@ Measurements measure_runs(const std::vector<FinishedRun>& runs) {
   return measurements;
 }
 
+Measurements measure_all(const std::vector<FinishedRun>& runs, const std::filesystem::path& out) {
+  Measurements measurements = measure_without_runs();
+  measurements.merge(measure_runs(runs));
+  take_contacts_from(measure_runs(runs_with_own_springs(out)), measurements);
+  return measurements;
+}
+
 }  // namespace slfb

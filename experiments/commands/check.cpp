@@ -147,12 +147,9 @@ int check(const Options& options, bool json) {
       throw std::runtime_error(
           fmt::format("cannot write {}: there is no folder {}", file.string(), file.parent_path().string()));
   const std::vector<Claim> claims = choose(load_claims(), options.ids);
-  Measurements measurements = measure_without_runs();
   const Profile profile = load_profile(options.profile);
   const auto runs = finished_runs(with_full_runs(profile), options.out);
-  measurements.merge(measure_runs(runs));
-  take_contacts_from(measure_runs(runs_with_own_springs(options.out)), measurements);
-  auto evaluations = evaluate(claims, measurements);
+  auto evaluations = evaluate(claims, measure_all(runs, options.out));
   name_causes(evaluations, options.out);
   judge_run_gates(evaluations, measure_runs(own_runs(runs, profile.name)), measure_runs(published_runs(profile)));
 

@@ -104,9 +104,7 @@ int make_figures(const Options& options) {
 
   const Profile shown = with_full_runs(profile);
   const auto runs = finished_runs(shown, options.out);
-  Measurements measurements = measure_without_runs();
-  measurements.merge(measure_runs(runs));
-  take_contacts_from(measure_runs(runs_with_own_springs(options.out)), measurements);
+  const Measurements measurements = measure_all(runs, options.out);
 
   // Every figure is drawn, also when only some were named: it takes seconds, and the report stays complete.
   const auto figures_folder = options.out / "figures";
