@@ -107,8 +107,7 @@ std::string springs_note(const std::vector<FinishedRun>& own_springs) {
   return fmt::format(
       "Contacts, collisions and single forces hang on the springs: where a system has two velocities with those of the "
       "paper, they are taken from these runs alone (profiles springs and paper-steps: {}); elsewhere the springs are "
-      "softer: contacts last three times as long and hide collisions, an eighth of them at 0.20 m/s, a fifth at 0.10, "
-      "nearly three quarters at 0.06 (6in5W).",
+      "softer, so that contacts last longer, with the root of mass over stiffness, and hide collisions.",
       keys.empty() ? "none yet" : join(keys, ", "));
 }
 
@@ -219,9 +218,11 @@ std::vector<std::string> run_notes(const FigureContext& context, const std::vect
   for (const auto& key : keys)
     if (find_run(context, key) == nullptr) missing.push_back(key);
   for (const FinishedRun* run : present) {
-    const bool drops = std::ranges::any_of(
-        run->scene.stages, [](const Stage& stage) { return stage.kind == StageKind::drop && stage.repetitions > 0; });
-    if (drops && run->result.drops.empty()) without_drop.push_back(run_key(run->spec));
+    std::size_t asked = 0;
+    for (const Stage& stage : run->scene.stages)
+      if (stage.kind == StageKind::drop) asked += static_cast<std::size_t>(stage.repetitions);
+    if (const std::size_t dropped = run->result.drops.size(); dropped < asked)
+      without_drop.push_back(fmt::format("{} ({} of {})", run_key(run->spec), dropped, asked));
     if (run->published) published.push_back(run_key(run->spec));
     if (run->stale) stale.push_back(run_key(run->spec));
   }
@@ -229,8 +230,7 @@ std::vector<std::string> run_notes(const FigureContext& context, const std::vect
   if (!missing.empty()) notes.push_back(fmt::format("Not yet simulated: {}.", join(missing, ", ")));
   if (!without_drop.empty())
     notes.push_back(
-        fmt::format("No sphere could be dropped, the bed of this drag law fills the column up to the place of release: "
-                    "{}.",
+        fmt::format("Fewer spheres could be dropped than asked, for the bed reaches up to the place of release: {}.",
                     join(without_drop, ", ")));
   if (!published.empty()) notes.push_back(fmt::format("Read from the committed results: {}.", join(published, ", ")));
   if (!stale.empty()) notes.push_back(fmt::format("Made by an older version of the numerics: {}.", join(stale, ", ")));
