@@ -42,8 +42,12 @@ bool needs_run(std::string_view key);
 /// between the runs. Of all systems together: equation_40_share_within_10_percent/all.
 Measurements measure_runs(const std::vector<FinishedRun>& runs);
 
+/// What a softer spring gets wrong, for its contacts last longer and hide the next: counts of contacts and collisions,
+/// and single forces, also "…_at_voidage".
+bool hangs_on_springs(std::string_view quantity);
+
 /// Takes what hangs on the springs from `own_springs`, measured in runs with those of the scene
-/// (runs_with_own_springs): contacts and collisions counted, and single forces, also at the stated voidages. A system
+/// (runs_with_own_springs). A system
 /// changes over as a whole, once two velocities of it are there, so that trends are of one kind; Measurement::springs
 /// says of which, so that claims do not compare a system of one kind with one of the other.
 void take_contacts_from(const Measurements& own_springs, Measurements& measurements);

@@ -252,7 +252,8 @@ void measure_equation_40_share(Measurements& measurements) {
                                                              "-", "runs of all systems"};
 }
 
-/// What a softer spring gets wrong: its contacts last longer and hide the next.
+}  // namespace
+
 bool hangs_on_springs(std::string_view quantity) {
   constexpr std::string_view at_voidage = "_at_voidage";
   if (quantity.ends_with(at_voidage)) quantity.remove_suffix(at_voidage.size());
@@ -263,8 +264,6 @@ bool hangs_on_springs(std::string_view quantity) {
                              "maximum_overlap_mean"};
   return std::ranges::find(names, quantity) != names.end();
 }
-
-}  // namespace
 
 void take_contacts_from(const Measurements& own_springs, Measurements& measurements) {
   /// Quantity and system of a key without variant.

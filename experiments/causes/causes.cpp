@@ -155,9 +155,11 @@ FigureOutput draw(const FigureContext& outer) {
   return output;
 }
 
-/// "quantity/6in5W/0.06" and the like, for the velocities that the changes were simulated at.
+/// "quantity/6in5W/0.06" and the like, for the velocities that the changes were simulated at. The changes have softened
+/// springs, so that what hangs on these would show two changes.
 bool is_of_this_bed(const Claim& claim) {
   return !claim.measures.empty() && std::all_of(claim.measures.begin(), claim.measures.end(), [](const auto& measure) {
+    if (hangs_on_springs(measure.substr(0, measure.find('/')))) return false;
     return std::any_of(velocities.begin(), velocities.end(), [&](double velocity) {
       return measure.ends_with(fmt::format("/{}/{:.2f}", system_name, velocity));
     });
