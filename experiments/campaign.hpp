@@ -22,6 +22,9 @@ struct RunSpec {
   std::string profile = {};  ///< that it belongs to: "quick"
 };
 
+/// U_L [m/s] as names of runs and measurements have it: two decimals, or as many as it has: "0.10", "0.105".
+std::string velocity_text(double superficial_velocity);
+
 /// The runs of a profile ("quick", "full") and what sets it apart from the paper, from experiments/profiles.toml.
 struct Profile {
   std::string name;

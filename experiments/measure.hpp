@@ -11,7 +11,7 @@
 /// From finished runs and from the laws to the numbers that the claims and figures compare.
 namespace slfb {
 
-/// "quantity/system/U_L" or "quantity/system/U_L/variant", U_L in m/s with two decimals.
+/// "quantity/system/U_L" or "quantity/system/U_L/variant", U_L as velocity_text has it.
 std::string measure_key(std::string_view quantity, std::string_view system, double superficial_velocity,
                         std::string_view variant = "");
 

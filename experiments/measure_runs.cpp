@@ -293,13 +293,13 @@ void take_contacts_from(const Measurements& own_springs, Measurements& measureme
 
 std::string measure_key(std::string_view quantity, std::string_view system, double superficial_velocity,
                         std::string_view variant) {
-  std::string key = fmt::format("{}/{}/{:.2f}", quantity, system, superficial_velocity);
+  std::string key = fmt::format("{}/{}/{}", quantity, system, velocity_text(superficial_velocity));
   if (!variant.empty()) key += fmt::format("/{}", variant);
   return key;
 }
 
 std::string run_key(const RunSpec& spec) {
-  std::string key = fmt::format("{}/{:.2f}", spec.system, spec.superficial_velocity);
+  std::string key = fmt::format("{}/{}", spec.system, velocity_text(spec.superficial_velocity));
   if (!spec.variant.empty()) key += "/" + spec.variant;
   return key;
 }

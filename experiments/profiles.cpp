@@ -111,6 +111,12 @@ std::vector<std::string> planned_differences(const Scene& run, const Scene& pape
 
 }  // namespace
 
+std::string velocity_text(double superficial_velocity) {
+  std::string text = fmt::format("{:.2f}", superficial_velocity);
+  if (std::abs(std::stod(text) - superficial_velocity) > 1e-9) text = fmt::format("{:g}", superficial_velocity);
+  return text;
+}
+
 Profile load_profile(const std::string& name) {
   const Definitions definitions(std::filesystem::path(SLFB_SOURCE_DIR) / "experiments" / "profiles.toml");
   const toml::table& table = definitions.entry("profiles", name);

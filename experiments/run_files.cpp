@@ -31,7 +31,7 @@ namespace {
 std::filesystem::path published(const RunSpec& spec, const char* ending) {
   const std::string variant = spec.variant.empty() ? "default" : spec.variant;
   return std::filesystem::path(SLFB_SOURCE_DIR) / "reports" / "published" / "runs" / spec.profile /
-         fmt::format("{}_{:.2f}_{}{}", spec.system, spec.superficial_velocity, variant, ending);
+         fmt::format("{}_{}_{}{}", spec.system, velocity_text(spec.superficial_velocity), variant, ending);
 }
 
 /// Keeps every `stride`-th value and the last one.

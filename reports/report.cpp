@@ -234,7 +234,7 @@ std::string print_page(const ReportContents& contents, const fs::path& folder) {
       {{std::regex("href=\"[^\":#]*\\.html#([^\"]+)\""), "href=\"#$1\""},
        {std::regex("<a href=\"laws/variants\\.html\">|<a href=\"[^\":#]+\\.(svg|h5)\">"), "<a>"},
        {std::regex("href=\"laws/([^\":#]+)\\.html\""), "href=\"#law-$1\""},
-       {std::regex("href=\"(?:\\.\\./)?(?:figures/)?([a-z0-9-]+)\\.html\""), "href=\"#$1\""}}};
+       {std::regex("href=\"(?:\\.\\./)?(?:figures/)?(?!index|print)([a-z0-9-]+)\\.html\""), "href=\"#$1\""}}};
   for (const auto& [from, to] : links) html = std::regex_replace(html, from, to);
   return whole_page("slfb report", html);
 }

@@ -31,7 +31,7 @@ std::vector<std::string> needs(const Profile& profile) {
     return spec.variant.empty() &&
            std::any_of(substitutes.begin(), substitutes.end(), [&](const Substitute& substitute) {
              return spec.system == substitute.system &&
-                    fmt::format("{:.2f}", spec.superficial_velocity) == substitute.velocity;
+                    velocity_text(spec.superficial_velocity) == substitute.velocity;
            });
   });
 }

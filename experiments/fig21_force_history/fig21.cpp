@@ -75,7 +75,7 @@ FigureOutput draw(const FigureContext& context) {
   output.notes.push_back(springs_note(own_springs));
   for (std::size_t place = 0; place < panels.size(); ++place) {
     const Panel& panel = panels[place];
-    const std::string tag = fmt::format("{:.2f}", panel.superficial_velocity);
+    const std::string tag = velocity_text(panel.superficial_velocity);
     const std::string key = fmt::format("{}/{}", system_name, tag);
     const FinishedRun* run = find_contact_run(context, own_springs, key);
     std::string plot, ours = "–", sampling;

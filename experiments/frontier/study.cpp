@@ -251,8 +251,14 @@ void save_reduced(const ReducedStudy& reduced, const std::filesystem::path& file
   if (!stream.flush()) throw std::runtime_error(fmt::format("cannot write {}", file.string()));
 }
 
+ReducedStudy load_committed(const std::string& id) {
+  ReducedStudy committed = load_file(committed_file(id));
+  committed.id = id;
+  return committed;
+}
+
 ReducedStudy load_reduced(const Study& study, const std::filesystem::path& out) {
-  ReducedStudy own = load_file(reduced_file(out, study.id)), committed = load_file(committed_file(study.id));
+  ReducedStudy own = load_file(reduced_file(out, study.id)), committed = load_committed(study.id);
   ReducedStudy drawn = stands_behind(own, committed) ? std::move(committed) : std::move(own);
   drawn.id = study.id;
   return drawn;
@@ -260,7 +266,7 @@ ReducedStudy load_reduced(const Study& study, const std::filesystem::path& out) 
 
 ReducedStudy load_beside(const Study& study, const std::filesystem::path& out) {
   ReducedStudy own = load_file(reduced_file(out, study.id));
-  return stands_behind(own, load_file(committed_file(study.id))) ? own : ReducedStudy{};
+  return stands_behind(own, load_committed(study.id)) ? own : ReducedStudy{};
 }
 
 std::vector<const ReducedPoint*> pareto_front(const ReducedStudy& reduced, const std::string& quantity,

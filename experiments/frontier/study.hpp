@@ -69,6 +69,8 @@ ReducedStudy reduce(const Study& study, Set set, const studies::TrialStore& stor
 ReducedStudy load_reduced(const Study& study, const std::filesystem::path& out);
 /// This machine's quick set where load_reduced gives the committed full one, to be drawn beside it; else empty.
 ReducedStudy load_beside(const Study& study, const std::filesystem::path& out);
+/// The committed set alone; empty points where there is none.
+ReducedStudy load_committed(const std::string& id);
 void save_reduced(const ReducedStudy& reduced, const std::filesystem::path& file);
 /// Place of the committed result.
 std::filesystem::path committed_file(const std::string& id);

@@ -11,6 +11,7 @@
 #include <stdexcept>
 
 #include "correlations/fluidisation/bed_expansion.hpp"
+#include "experiments/frontier/study.hpp"
 #include "experiments/run_estimate.hpp"
 #include "experiments/studies/table_reader.hpp"
 #include "solver/dem/particles.hpp"
@@ -64,6 +65,45 @@ Rule::Condition condition_of(studies::TableReader& table, const std::string& tex
   if (!(words >> number >> comparison >> value) || (comparison != "<" && comparison != ">"))
     throw table.problem("when", fmt::format("\"{}\" must read NUMBER > VALUE or NUMBER < VALUE", text));
   return {number, comparison == ">", value};
+}
+
+/// An error of a study and the half width of its interval [-].
+struct Measured {
+  double error, half_width;
+};
+
+/// Adds to `measured` what a point of a committed study misses its reference by, or another point of the study, by
+/// quantity; of two studies the one with the narrower interval. Returns where that stands.
+std::string add_measured(studies::TableReader& table, std::map<std::string, Measured>& measured) {
+  const std::string id = table.text("study");
+  const frontier::ReducedStudy solved = frontier::load_committed(id);
+  const auto point_at = [&](const std::string& key, const std::string& series, double axis) {
+    for (const frontier::ReducedPoint& point : solved.points)
+      if (point.series == series && std::abs(point.axis - axis) <= 1e-9 * std::abs(axis) && point.failure.empty())
+        return &point;
+    throw table.problem(
+        key, fmt::format("the committed set of study \"{}\" has no answer of \"{}\" at {:g}", id, series, axis));
+  };
+  const std::string series = table.text("series");
+  const double axis = table.number("axis");
+  const frontier::ReducedPoint* against =
+      table.has("against") ? point_at("against", series, table.number("against")) : nullptr;
+  const auto or_nothing = [](double half_width) { return std::isfinite(half_width) ? half_width : 0.0; };
+  for (const auto& [quantity, value] : point_at("axis", series, axis)->values) {
+    const auto& others = against == nullptr ? solved.reference : against->values;
+    const auto other = others.find(quantity);
+    Measured found{value.error, or_nothing(value.half_width / std::abs(value.value))};
+    if (other != others.end()) {
+      const double scale = std::abs(other->second.value);
+      found = {std::abs(value.value / other->second.value - 1.0),
+               std::hypot(or_nothing(value.half_width / scale), or_nothing(other->second.half_width / scale))};
+    }
+    const auto [place, added] = measured.try_emplace(quantity, found);
+    if (!added && found.half_width < place->second.half_width) place->second = found;
+  }
+  table.reject_others();
+  return fmt::format("frontier {} ({} at {:g}{}; {} set of {})", id, series, axis,
+                     against == nullptr ? "" : fmt::format(" against {:g}", against->axis), solved.set, solved.date);
 }
 
 bool holds(const Rule& rule, const std::vector<Number>& numbers, const std::vector<std::string>& asked) {
@@ -187,7 +227,7 @@ Rules load_rules() {
     rule.choice = one.text("choice");
     rule.why = one.text("why");
     rule.source = one.text("source");
-    rule.evidence = one.text("evidence");
+    rule.evidence = one.text("evidence", "");
     rule.richer = one.text("richer", "");
     for (const std::string& text : one.texts("when")) rule.when.push_back(condition_of(one, text));
     rule.asked = one.texts("asked");
@@ -198,9 +238,15 @@ Rules load_rules() {
     rule.liquid_steps_per_relaxation = one.number("liquid_steps_per_relaxation", 0.0);
     if (rule.liquid_steps_per_relaxation > 0.0) rule.longest_liquid_step = one.number("longest_liquid_step");
     rule.effect = one.numbers_by_name("effect");
-    one.reject_others();
     for (const auto& [quantity, error] : rule.effect)
       if (!rules.bands.contains(quantity)) throw one.problem("effect", quantity + " has no band");
+    std::map<std::string, Measured> measured;
+    for (studies::TableReader& point : one.tables("measured"))
+      rule.evidence += (rule.evidence.empty() ? "" : "; ") + add_measured(point, measured);
+    for (const auto& [quantity, found] : measured)
+      if (rules.bands.contains(quantity)) rule.effect.try_emplace(quantity, found.error);
+    if (rule.evidence.empty()) throw one.problem("evidence", "is missing, and so is measured");
+    one.reject_others();
     rules.list.push_back(std::move(rule));
   }
   return rules;

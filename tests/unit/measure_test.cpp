@@ -100,6 +100,9 @@ TEST(MeasureKey, HasTwoDecimalsAndAnOptionalVariant) {
   EXPECT_EQ(run_key(spec), "6in3N/0.04");
   spec.variant = "paper-literal";
   EXPECT_EQ(run_key(spec), "6in3N/0.04/paper-literal");
+  // Velocities between the hundredths are runs of their own.
+  spec.superficial_velocity = 0.045;
+  EXPECT_EQ(run_key(spec), "6in3N/0.045/paper-literal");
 }
 
 TEST(MeasureKey, TellsRunsFromLaws) {
