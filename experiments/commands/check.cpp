@@ -1,6 +1,7 @@
 #include "experiments/commands/check.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -8,7 +9,6 @@
 #include <fstream>
 #include <memory>
 #include <nlohmann/json.hpp>
-#include <numeric>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -17,6 +17,8 @@
 #include "experiments/causes/causes.hpp"
 #include "experiments/claims.hpp"
 #include "experiments/measure.hpp"
+#include "experiments/measured_file.hpp"
+#include "solver/close_names.hpp"
 
 namespace slfb {
 namespace {
@@ -26,6 +28,8 @@ constexpr const char* examples = R"(Examples:
   slfb check fig05 table2             the claims whose id begins so
   slfb check --json                   the same as JSON on standard output
   slfb check --junit gates.xml        a test case per gate, for CI
+  slfb check --template > mine.toml   a file for results of your own, from an experiment or another code
+  slfb check --measured mine.toml     what the claims say to them; the bands of the paper are the gates
 
 A verdict says whether the paper is reproduced; a gate says whether our own accepted value still stands. The exit
 status is 0 when every gate of the chosen claims holds, 1 when one is broken or a file cannot be read or written, 2 for
@@ -45,51 +49,21 @@ The rules are in reference-data/README.md.)";
 struct Options {
   std::vector<std::string> ids;
   std::string json = "-";
-  std::filesystem::path junit;
+  std::filesystem::path junit, measured;
+  bool start = false;  ///< print a file of measured results to start from
   std::string profile = "quick";
   std::filesystem::path out = SLFB_BUILD_DIR;
 };
-
-/// Insertions, deletions and replacements that lead from one word to the other (Levenshtein).
-std::size_t edit_distance(std::string_view a, std::string_view b) {
-  std::vector<std::size_t> row(b.size() + 1);
-  std::iota(row.begin(), row.end(), std::size_t{0});
-  for (std::size_t i = 1; i <= a.size(); ++i) {
-    std::size_t diagonal = row[0];
-    row[0] = i;
-    for (std::size_t j = 1; j <= b.size(); ++j) {
-      const std::size_t replaced = diagonal + (a[i - 1] == b[j - 1] ? 0 : 1);
-      diagonal = row[j];
-      row[j] = std::min({row[j] + 1, row[j - 1] + 1, replaced});
-    }
-  }
-  return row[b.size()];
-}
-
-/// The three known names nearest to `id`, those that contain it before the others, for a message.
-std::string close_names(const std::string& id, const std::vector<Claim>& claims) {
-  std::vector<std::pair<std::size_t, std::string>> names;
-  for (const Claim& claim : claims) {
-    for (const std::string& name : {claim.id, claim.figure}) {
-      names.emplace_back(name.find(id) != std::string::npos ? 0 : edit_distance(id, name), name);
-    }
-  }
-  std::sort(names.begin(), names.end());
-  names.erase(std::unique(names.begin(), names.end()), names.end());
-  std::string text;
-  for (std::size_t i = 0; i < std::min<std::size_t>(3, names.size()); ++i) {
-    text += (text.empty() ? "" : ", ") + names[i].second;
-  }
-  return text;
-}
 
 /// The claims whose id is or begins with one of `ids`; all when there are none.
 std::vector<Claim> choose(const std::vector<Claim>& claims, const std::vector<std::string>& ids) {
   if (ids.empty()) return claims;
   for (const std::string& id : ids) {
     if (std::none_of(claims.begin(), claims.end(), [&](const Claim& claim) { return claim.id.starts_with(id); })) {
-      throw CLI::ValidationError("ID",
-                                 fmt::format("no claim begins with \"{}\"; close: {}", id, close_names(id, claims)));
+      std::vector<std::string> known;
+      for (const Claim& claim : claims) known.insert(known.end(), {claim.id, claim.figure});
+      throw CLI::ValidationError("ID", fmt::format("no claim begins with \"{}\"; close: {}", id,
+                                                   fmt::join(close_names(id, std::move(known)), ", ")));
     }
   }
   std::vector<Claim> chosen;
@@ -140,19 +114,25 @@ void write_file(const std::filesystem::path& file, const std::string& text) {
   if (!stream.flush()) throw std::runtime_error(fmt::format("cannot write {}", file.string()));
 }
 
+/// What the laws and the runs of this suite say to the claims.
+std::vector<Evaluation> evaluate_own(const std::vector<Claim>& claims, const Options& options) {
+  const Profile profile = load_profile(options.profile);
+  const auto runs = finished_runs(with_full_runs(profile), options.out);
+  std::vector<Evaluation> evaluations = evaluate(claims, measure_all(runs, options.out));
+  name_causes(evaluations, options.out);
+  judge_run_gates(evaluations, measure_runs(own_runs(runs, profile.name)), measure_runs(published_runs(profile)));
+  return evaluations;
+}
+
 /// Returns the exit status: 1 when a gate is broken.
 int check(const Options& options, bool json) {
   for (const std::filesystem::path& file : {std::filesystem::path(options.json), options.junit})
     if (file.has_parent_path() && !std::filesystem::is_directory(file.parent_path()))
       throw std::runtime_error(
           fmt::format("cannot write {}: there is no folder {}", file.string(), file.parent_path().string()));
-  const std::vector<Claim> claims = choose(load_claims(), options.ids);
-  const Profile profile = load_profile(options.profile);
-  const auto runs = finished_runs(with_full_runs(profile), options.out);
-  auto evaluations = evaluate(claims, measure_all(runs, options.out));
-  name_causes(evaluations, options.out);
-  judge_run_gates(evaluations, measure_runs(own_runs(runs, profile.name)), measure_runs(published_runs(profile)));
-
+  const std::vector<Claim> all = load_claims(), claims = choose(all, options.ids);
+  const auto evaluations = options.measured.empty() ? evaluate_own(claims, options)
+                                                    : evaluate_measured(claims, load_measured(options.measured, all));
   const bool json_to_stdout = json && options.json == "-";
   if (json_to_stdout) {
     fmt::print("{}\n", claims_json(evaluations).dump(2));
@@ -175,10 +155,20 @@ void add_check_command(CLI::App& app) {
           ->expected(0, 1)
           ->option_text("[FILE]");
   command->add_option("--junit", options->junit, "write JUnit XML of the gates to FILE")->option_text("FILE");
-  command->add_option("--profile", options->profile, "whose simulations to use: quick or full")->capture_default_str();
-  command->add_option("--out", options->out, "folder with runs/")->option_text("DIR");
+  CLI::Option* profile = command->add_option("--profile", options->profile, "whose simulations to use: quick or full")
+                             ->capture_default_str();
+  CLI::Option* out = command->add_option("--out", options->out, "folder with runs/")->option_text("DIR");
+  CLI::Option* measured = command
+                              ->add_option("--measured", options->measured,
+                                           "hold the results in FILE against the claims, not those of this suite")
+                              ->check(CLI::ExistingFile)
+                              ->option_text("FILE")
+                              ->excludes(profile)
+                              ->excludes(out);
+  command->add_flag("--template", options->start, "print a file for --measured to start from")->excludes(measured);
   command->footer(examples);
   command->callback([options, json] {
+    if (options->start) return fmt::print("{}", measured_template(choose(load_claims(), options->ids)));
     if (options->json.empty()) options->json = "-";
     const int status = check(*options, json->count() > 0);
     if (status != 0) throw CLI::RuntimeError(status);

@@ -15,6 +15,7 @@
 #include <sstream>
 #include <utility>
 
+#include "solver/close_names.hpp"
 #include "solver/scene/scene_checks.hpp"
 #include "solver/scene/scene_description.hpp"
 #include "solver/user_law.hpp"
@@ -27,19 +28,6 @@ using description::Choice;
 using description::Presence;
 using description::Problems;
 using description::shortest;
-
-std::size_t edit_distance(std::string_view a, std::string_view b) {
-  std::vector<std::size_t> row(b.size() + 1);
-  std::iota(row.begin(), row.end(), std::size_t{0});
-  for (std::size_t i = 0; i < a.size(); ++i) {
-    std::size_t diagonal = std::exchange(row[0], i + 1);
-    for (std::size_t j = 0; j < b.size(); ++j) {
-      const std::size_t substitution = diagonal + (a[i] == b[j] ? 0 : 1);
-      diagonal = std::exchange(row[j + 1], std::min({row[j] + 1, row[j + 1] + 1, substitution}));
-    }
-  }
-  return row.back();
-}
 
 /// " (did you mean ...?)" for a near miss, else nothing.
 std::string suggestion(std::string_view word, const std::vector<std::string>& known) {
