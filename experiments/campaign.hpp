@@ -34,6 +34,8 @@ struct Profile {
   bool goes_on_from_published = false;  ///< what is published and up to date is not simulated again
 };
 Profile load_profile(const std::string& name);
+/// In the order of the file.
+std::vector<std::string> profile_names();
 
 /// The profile and the runs of the full one: what figures and claims use where results exist. Only the profile's own
 /// runs are simulated with it.

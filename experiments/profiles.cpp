@@ -29,6 +29,17 @@ class Definitions {
     throw std::runtime_error(fmt::format("{}: no \"{}\" in [{}]; known: {}", file_, name, group, known));
   }
 
+  /// Names in a group, in the order of the file.
+  [[nodiscard]] std::vector<std::string> names(const std::string& group) const {
+    std::vector<std::pair<toml::source_index, std::string>> places;
+    if (const toml::table* all = root_[group].as_table())
+      for (const auto& [key, node] : *all) places.emplace_back(node.source().begin.line, key.str());
+    std::ranges::sort(places);
+    std::vector<std::string> names;
+    for (auto& [line, name] : places) names.push_back(std::move(name));
+    return names;
+  }
+
   [[nodiscard]] const toml::table& common() const {
     const toml::table* found = root_["common"].as_table();
     if (found == nullptr) throw std::runtime_error(fmt::format("{}: [common] is missing", file_));
@@ -87,6 +98,10 @@ std::filesystem::path scene_file(const std::filesystem::path& scene) {
   return std::filesystem::path(SLFB_SOURCE_DIR) / "experiments" / "scenes" / scene;
 }
 
+std::filesystem::path definitions_file() {
+  return std::filesystem::path(SLFB_SOURCE_DIR) / "experiments" / "profiles.toml";
+}
+
 /// What the plan for these questions changes in a scene.
 Overrides planned(const std::string& scene, const Overrides& overrides, const std::vector<std::string>& asked) {
   static const plan::Rules rules = plan::load_rules();
@@ -117,8 +132,10 @@ std::string velocity_text(double superficial_velocity) {
   return text;
 }
 
+std::vector<std::string> profile_names() { return Definitions(definitions_file()).names("profiles"); }
+
 Profile load_profile(const std::string& name) {
-  const Definitions definitions(std::filesystem::path(SLFB_SOURCE_DIR) / "experiments" / "profiles.toml");
+  const Definitions definitions(definitions_file());
   const toml::table& table = definitions.entry("profiles", name);
   Profile profile{name, definitions.values<std::string>(definitions.common(), "differences"), {}};
   append(profile.differences, definitions.values<std::string>(table, "differences"));

@@ -36,7 +36,7 @@ void list_profile(const std::string& name) {
   // One line per system and variant, with its velocities.
   std::map<std::pair<std::string, std::string>, std::vector<std::string>> velocities;
   for (const RunSpec& run : profile.runs) {
-    velocities[{run.system, run.variant}].push_back(fmt::format("{:.2f}", run.superficial_velocity));
+    velocities[{run.system, run.variant}].push_back(velocity_text(run.superficial_velocity));
   }
   fmt::print("\nProfile {}: {} simulations\n", profile.name, profile.runs.size());
   for (const auto& [key, values] : velocities) {
@@ -64,7 +64,7 @@ void add_list_command(CLI::App& app) {
   CLI::App* command = app.add_subcommand("list", "List the figures, claims, simulations and scenes");
   command->callback([] {
     list_figures(load_claims());
-    for (const char* name : {"quick", "full"}) list_profile(name);
+    for (const std::string& name : profile_names()) list_profile(name);
     list_scenes();
   });
 }

@@ -59,7 +59,7 @@ FigureOutput draw(const FigureContext& context) {
       "paper "
       "prints for its single drop. Every curve starts its clock where its own line passes {:.1f} m, so that slopes "
       "(classification velocities) can be compared whatever the height of release and the swelling of the bed; the "
-      "arrival times themselves are claims of Table 2.",
+      "arrival times themselves are claims of Table 2. Each panel has its own axis of time.",
       classification_window_bottom, classification_window_top, classification_window_top);
 
   std::set<double> velocities;
@@ -73,16 +73,15 @@ FigureOutput draw(const FigureContext& context) {
     paper.rows.push_back({row.superficial_velocity, row.classification_velocity, row.r_squared});
   output.data.push_back(write_csv(paper, context.out));
 
-  const int columns = std::min<int>(2, static_cast<int>(velocities.size()));
+  const int columns = std::min<int>(3, static_cast<int>(velocities.size()));
   const int rows = (static_cast<int>(velocities.size()) + columns - 1) / columns;
   std::string script = fmt::format(
-      "set multiplot\ncolumns = {}\nrows = {}\nleft = 0.155\nright = 0.985\nbottom = base + 60.0/height\ntop = 1 - "
+      "set multiplot\ncolumns = {}\nrows = {}\nleft = 0.1\nright = 0.985\nbottom = base + 60.0/height\ntop = 1 - "
       "62.0/height\n"
-      "gap_x = 0.02\ngap_y = 34.0/height\nwide = (right - left - (columns - 1)*gap_x)/columns\n"
+      "gap_x = 0.03\ngap_y = 52.0/height\nwide = (right - left - (columns - 1)*gap_x)/columns\n"
       "high = (top - bottom - (rows - 1)*gap_y)/rows\nset yrange [0.09:0.21]\nset ytics 0.1, 0.05\nunset key\n",
       columns, rows);
   int place = 0;
-  double longest = 0.2;
   std::string panels;
   for (const double velocity : velocities) {
     const std::string tag = fmt::format("{:.2f}", velocity);
@@ -92,6 +91,7 @@ FigureOutput draw(const FigureContext& context) {
                    {}};
     const bool simulated = tabulate(context, velocity, samples, fits);
     std::string plot;
+    double longest = 0.0;  // time that a straight line takes through the window
     if (simulated) {
       output.data.push_back(write_csv(samples, context.out));
       output.data.push_back(write_csv(fits, context.out));
@@ -122,9 +122,13 @@ FigureOutput draw(const FigureContext& context) {
         column, row, tag, simulated ? "" : "not yet simulated");
     panels += column == 0 ? "set format y '%.2f'\nset ylabel 'height z [m]' offset 0.8,0\n"
                           : "set format y ''\nunset ylabel\n";
-    const bool lowest = place + columns >= static_cast<int>(velocities.size());
-    panels += lowest ? "set format x '%g'\nset xlabel 'time since z = 0.2 m [s]' offset 0,0.4\n"
-                     : "set format x ''\nunset xlabel\n";
+    if (!(longest > 0.0)) longest = 1.0;
+    panels += fmt::format("set xrange [{:.3g}:{:.4g}]\nset xtics {:g}\n", -0.08 * longest, 1.15 * longest,
+                          longest > 2.0   ? 1.0
+                          : longest > 0.8 ? 0.5
+                                          : 0.2);
+    if (place + columns >= static_cast<int>(velocities.size()))
+      panels += "set xlabel 'time since z = 0.2 m [s]' offset 0,0.4\n";
     panels += "plot " + plot + "\n";
     if (place == 0) panels += "eval footer_drawn\n";
     ++place;
@@ -141,8 +145,8 @@ FigureOutput draw(const FigureContext& context) {
       "0.38, 0.5\n"
       "set arrow 3 from 0.70, 0.5 to 0.78, 0.5 nohead linestyle 1\nset label 13 'paper' at 0.80, 0.5\n"
       "plot [0:1][0:1] NaN notitle\n";
-  script += fmt::format("set xrange [-0.1:{:.3f}]\n", 1.05 * longest) + panels + key + "unset multiplot\n";
-  draw_figure_of_runs("fig09", script, {520, 100 + 220 * rows}, context, keys);
+  script += panels + key + "unset multiplot\n";
+  draw_figure_of_runs("fig09", script, {780, 100 + 200 * rows}, context, keys);
   return output;
 }
 
