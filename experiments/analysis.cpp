@@ -160,8 +160,6 @@ LineFit fit_line(std::span<const double> x, std::span<const double> y) {
                  &variance_slope, &residual_squares);
   const double total_squares = gsl_stats_tss(y.data(), 1, y.size());
   fit.r_squared = total_squares > 0.0 ? 1.0 - residual_squares / total_squares : 1.0;
-  fit.slope_half_width =
-      x.size() > 2 ? student_t_95(static_cast<double>(x.size() - 2)) * std::sqrt(variance_slope) : nan;
   return fit;
 }
 

@@ -49,7 +49,6 @@ ReplicateEstimate estimate_replicates(std::span<const double> values);
 struct LineFit {
   double slope = 0.0;
   double intercept = 0.0;
-  double slope_half_width = 0.0;  ///< of the 95 % interval for independent residuals; NaN for two points
   double r_squared = 0.0;
   std::size_t points = 0;
 };

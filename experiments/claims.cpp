@@ -349,14 +349,14 @@ bool of_both(const std::vector<Measurement>& values, Springs one, Springs other)
          std::ranges::count(values, other, &Measurement::springs) > 0;
 }
 
-/// Why a measure is missing: its run is, or the run is there and has no such number.
+/// Why a measure is missing: its run is, or the run is there and has no such number; or no run is near its voidage.
 std::string missing_text(const std::string& measure, const Measurements& measurements) {
   if (!needs_run(measure)) return "not yet measured: " + measure;
+  if (measure.find("_at_voidage/") != std::string::npos) return "no runs about this voidage: " + measure;
   const std::string run = measure.substr(measure.find('/'));
   const bool simulated = std::ranges::any_of(
       measurements, [&](const auto& entry) { return entry.first.substr(entry.first.find('/')) == run; });
-  return (simulated ? "simulated, but without such a number (the figure's notes say why): " : "not yet simulated: ") +
-         measure;
+  return (simulated ? "simulated, but without such a number: " : "not yet simulated: ") + measure;
 }
 
 Evaluation evaluate_claim(const Claim& claim, const Measurements& measurements) {

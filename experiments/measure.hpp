@@ -23,16 +23,16 @@ bool needs_run(std::string_view key);
 
 /// Everything measured in finished runs.
 ///
-/// Runs of one key and different names are replicates: their drops are pooled. Runs of an older numerics version
-/// count only where the key has no current run. Quantities per run: classification_velocity,
-/// classification_intercept (on the paper's clock: release at 20 s, NaI 30 s) and time_to_bottom of drops from the
-/// paper's height, classification_r2, time_followed, voidage_centre_of_mass, voidage_bed_top, pressure_drop,
-/// packed_voidage, packed_height, fluctuating_energy, local_fluctuating_energy, contacts_per_particle,
-/// collision_frequency, dimensionless_collision_frequency, collision_force_ratio, collision_force_ratio_of_mean,
-/// equation_40_deviation, collision_to_drag_ratio, drag_ratio, pressure_gradient_ratio, mean_contacts,
-/// maximum_contacts, contact_fraction, peak_force_ratio, lateral_travel, local_voidage_mean, local_voidage_minimum,
-/// local_voidage_maximum, terminal_velocity, terminal_reynolds, penetration, maximum_overlap_mean,
-/// plane_voidage_deviation, plane_vorticity_range, plane_speed_maximum, particles_removed,
+/// Runs of one key and different names are replicates: their drops are pooled. Runs of an older numerics version count
+/// only where the key has no current run. Quantities per run: classification_velocity, classification_intercept (on the
+/// paper's clock: release at 20 s, NaI 30 s) and time_to_bottom of drops from the paper's height, bottom_fraction,
+/// falling_after_15_s and _30_s, classification_r2, voidage_centre_of_mass, voidage_bed_top, bed_top, pressure_drop,
+/// packed_voidage, packed_height, stokes_number, liquid_fluctuation, liquid_fluctuation_vertical, fluctuating_energy,
+/// local_fluctuating_energy, contacts_per_particle, collision_frequency, dimensionless_collision_frequency, ktgf_ratio,
+/// collision_force_ratio, collision_force_ratio_of_mean, equation_40_deviation, collision_to_drag_ratio, drag_ratio,
+/// pressure_gradient_ratio, mean_contacts, maximum_contacts, contact_fraction, peak_force_ratio, lateral_travel,
+/// local_voidage_mean, local_voidage_minimum, local_voidage_maximum, terminal_velocity, terminal_reynolds, penetration,
+/// maximum_overlap_mean, plane_voidage_deviation, plane_vorticity_range, plane_speed_maximum, particles_removed,
 /// wall_seconds_per_simulated_second.
 ///
 /// Quantities per system, "quantity/system", from all its runs without variant: packed_line_slope,

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 #include <stdexcept>
 
 #include "experiments/campaign.hpp"
@@ -108,8 +109,8 @@ Overrides planned(const std::string& scene, const Overrides& overrides, const st
   return plan::make_plan(load_scene(scene_file(scene), overrides), asked, rules).overrides;
 }
 
-/// What a planned run has otherwise than the paper, as the other profiles say it in their own words.
-std::vector<std::string> planned_differences(const Scene& run, const Scene& paper) {
+/// What planned runs have otherwise than the paper, as the other profiles say it in their own words.
+std::vector<std::string> planned_differences(const std::vector<RunSpec>& runs) {
   const auto ms = [](double seconds) { return fmt::format("{:.3g} ms", 1e3 * seconds); };
   const auto stiffness = [](const Scene& scene) {  // "1e3", not "1e+03"
     const int power = static_cast<int>(std::floor(std::log10(scene.contact.stiffness) + 1e-9));
@@ -118,10 +119,19 @@ std::vector<std::string> planned_differences(const Scene& run, const Scene& pape
   const auto fluidised = [](const Scene& scene) {
     return std::ranges::find(scene.stages, StageKind::fluidise, &Stage::kind)->duration;
   };
-  return {fmt::format("Contacts {} N/m at {}, not {} N/m at {}.", stiffness(run), ms(run.contact.time_step),
-                      stiffness(paper), ms(paper.contact.time_step)),
-          fmt::format("Liquid step {}, not {}.", ms(run.fluid.time_step), ms(peng_2014().value("fluid_time_step"))),
-          fmt::format("Fluidised for {:g} s, not {:g} s.", fluidised(run), fluidised(paper))};
+  const Scene run = load_run_scene(runs.front()), paper = load_scene(scene_file(runs.front().scene));
+  std::vector<std::string> differences{
+      fmt::format("Contacts {} N/m at {}, not {} N/m at {}.", stiffness(run), ms(run.contact.time_step),
+                  stiffness(paper), ms(paper.contact.time_step)),
+      fmt::format("Liquid step {}, not {}.", ms(run.fluid.time_step), ms(peng_2014().value("fluid_time_step"))),
+      fmt::format("Fluidised for {:g} s, not {:g} s.", fluidised(run), fluidised(paper))};
+  std::set<double> without_rolling;
+  for (const RunSpec& one : runs)
+    if (load_run_scene(one).contact.rolling_friction == 0.0) without_rolling.insert(one.superficial_velocity);
+  if (!without_rolling.empty())
+    differences.push_back(fmt::format("No rolling resistance at {} to {} m/s.", velocity_text(*without_rolling.begin()),
+                                      velocity_text(*without_rolling.rbegin())));
+  return differences;
 }
 
 }  // namespace
@@ -168,9 +178,7 @@ Profile load_profile(const std::string& name) {
       profile.runs.push_back(std::move(spec));
     }
   }
-  if (by_plan)
-    append(profile.differences, planned_differences(load_run_scene(profile.runs.front()),
-                                                    load_scene(scene_file(profile.runs.front().scene))));
+  if (by_plan) append(profile.differences, planned_differences(profile.runs));
   profile.goes_on_from_published = table["goes_on_from_published"].value_or(false);
   if (table.contains("whole"))
     for (std::string& key : definitions.values<std::string>(table, "whole")) profile.whole.insert(std::move(key));

@@ -24,8 +24,8 @@ struct RunEstimate {
 inline constexpr double typical_fall = 3.0;
 
 /// Rates of one core, for estimates only: contacts, and the liquid with its coupling to the spheres [1/s]. With them
-/// the estimate lies within a quarter of the CPU times of the published runs of 6in5W and 6in3W, profiles full and
-/// paper-steps (reports/published/runs).
+/// the estimate lies within a quarter of the CPU times of the published runs of 6in5W and 6in3W
+/// (reports/published/runs).
 inline constexpr double particle_steps_per_core_second = 11.6e6;
 inline constexpr double cell_steps_per_core_second = 3.7e6;
 

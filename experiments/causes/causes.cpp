@@ -112,7 +112,8 @@ FigureOutput draw(const FigureContext& outer) {
       "U_L = 0.06 m/s (circles) and 0.10 m/s (squares), with 95 % intervals (packed bed: voidage as settled, one bed, "
       "which "
       "U_L does not change). Points beyond the axes are drawn at their "
-      "ends. The claims say in their reasons which of these changes would bring them inside the paper's band.";
+      "ends. The row of the paper's own steps has its springs and duration too. The claims say in their reasons which "
+      "of these changes would bring them inside the paper's band.";
 
   std::string script = fmt::format(
       "set multiplot\nset tmargin at screen 1 - 34.0/height\nset bmargin at screen base + 40.0/height\n"

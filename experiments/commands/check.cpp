@@ -155,8 +155,9 @@ void add_check_command(CLI::App& app) {
           ->expected(0, 1)
           ->option_text("[FILE]");
   command->add_option("--junit", options->junit, "write JUnit XML of the gates to FILE")->option_text("FILE");
-  CLI::Option* profile = command->add_option("--profile", options->profile, "whose simulations to use: quick or full")
-                             ->capture_default_str();
+  CLI::Option* profile =
+      command->add_option("--profile", options->profile, "whose simulations to use beside those of full")
+          ->capture_default_str();
   CLI::Option* out = command->add_option("--out", options->out, "folder with runs/")->option_text("DIR");
   CLI::Option* measured = command
                               ->add_option("--measured", options->measured,

@@ -16,7 +16,8 @@ namespace {
 
 using nlohmann::ordered_json;
 
-/// Velocities at which the homogeneous bed is tabulated: first, middle and last of the profile quick [m/s].
+/// Velocities at which the homogeneous bed is tabulated: the slow end, the middle and the fast end of what is compared
+/// [m/s].
 constexpr std::array shown_velocities{0.06, 0.08, 0.10};
 
 std::string range_text(const Range& range) {

@@ -59,7 +59,7 @@ FigureOutput draw(const FigureContext& context) {
       "paper "
       "prints for its single drop. Every curve starts its clock where its own line passes {:.1f} m, so that slopes "
       "(classification velocities) can be compared whatever the height of release and the swelling of the bed; the "
-      "arrival times themselves are claims of Table 2. Each panel has its own axis of time.",
+      "arrival times themselves stand in Table 2. Each panel has its own axis of time.",
       classification_window_bottom, classification_window_top, classification_window_top);
 
   std::set<double> velocities;

@@ -119,7 +119,7 @@ FigureOutput draw(const FigureContext& context) {
           "set label 8 'not yet simulated' at graph 0.5, 0.5 center font ',12' textcolor rgb quiet\n"
           "plot NaN\nunset label 8\n";
     } else {
-      // A vector of 0.2 m/s is as long as a cell; black on yellow and white on violet would vanish, so both are drawn.
+      // A vector of 0.25 m/s is as long as a cell; black on yellow and white on violet would vanish, so both are drawn.
       const std::string vectors = fmt::format(
           "using ($1 - 0.5*scale*$5):($2 - 0.5*scale*$6):(scale*$5):(scale*$6) with vectors head filled size "
           "0.0012,20 ");

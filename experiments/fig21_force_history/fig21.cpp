@@ -34,7 +34,7 @@ std::vector<std::string> needs(const Profile& profile) {
   });
 }
 
-/// Collision force over weight of the first drop from entering the bed, the largest value of each millisecond group, so
+/// Collision force over weight of the first drop from entering the bed, the largest value of each group of samples, so
 /// that no peak is lost and the picture stays small.
 DataTable force_history(const FinishedRun& run, double bed_top, const std::string& name) {
   DataTable table{name, {"time since entering the bed [s]", "largest collision force over weight [-]"}, {}};

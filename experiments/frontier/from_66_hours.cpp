@@ -101,7 +101,8 @@ FigureOutput draw(const FigureContext& context) {
   FigureOutput output{"from-66-hours", {}, "", {}};
   output.caption =
       "Wall-clock time on two cores for the 23 s that the paper simulates, from its own 66 hours to the settings of "
-      "the profile quick, one change after the other. What a change costs in each quantity is listed below, with the "
+      "the profile quick and on to a slice in one dimension (one core), one change after the other. What a change "
+      "costs in each quantity is listed below, with the "
       "study "
       "that measured it; the error is that of the setting against the study's reference.";
   const auto steps = load_steps(context.results);

@@ -118,7 +118,7 @@ std::vector<FigurePlan> figure_plans() {
       if (spec == profile.runs.end()) continue;
       const Scene simulated = load_scene(experiments() / "scenes" / spec->scene, spec->overrides);
       entry.profile = name;
-      entry.quick_core_seconds = per_simulated_second(simulated);
+      entry.profile_core_seconds = per_simulated_second(simulated);
       entry.agreement = entry.by_formula ? "richer: simulated" : compared(simulated, planned);
       break;
     }
@@ -139,7 +139,7 @@ std::string figure_plans_text(const std::vector<FigurePlan>& plans) {
     text += fmt::format("{:<9}{:<17}{:<26}{:>10}{:>10}{:>10.3g}{:>10.3g}  {}: {}\n{:<9}  asked: {}\n", plan.figure,
                         plan.tier, plan.steps, fmt::format("{:.0f} %", 100.0 * plan.error_over_band),
                         plan.by_formula ? "ms" : fmt::format("{:.3g}", plan.core_seconds), plan.paper_core_seconds,
-                        plan.quick_core_seconds, plan.profile, plan.agreement, "", fmt::join(plan.asked, ", "));
+                        plan.profile_core_seconds, plan.profile, plan.agreement, "", fmt::join(plan.asked, ", "));
   return text;
 }
 
@@ -154,10 +154,10 @@ Figure planned_figures() {
     for (const FigurePlan& plan : figure_plans()) {
       rows.push_back({plan.figure, plan.tier, plan.steps, fmt::format("{:.0f} %", 100.0 * plan.error_over_band),
                       plan.by_formula ? "ms" : fmt::format("{:.3g}", plan.core_seconds),
-                      fmt::format("{:.3g}", plan.paper_core_seconds), fmt::format("{:.3g}", plan.quick_core_seconds),
+                      fmt::format("{:.3g}", plan.paper_core_seconds), fmt::format("{:.3g}", plan.profile_core_seconds),
                       fmt::format("{}: {}", plan.profile, plan.agreement)});
       data.rows.push_back({static_cast<double>(rows.size()), plan.error_over_band, plan.core_seconds,
-                           plan.paper_core_seconds, plan.quick_core_seconds});
+                           plan.paper_core_seconds, plan.profile_core_seconds});
       notes.push_back(fmt::format("{} asks for {}; nearest to its band: {}.", plan.figure, fmt::join(plan.asked, ", "),
                                   plan.worst));
     }
@@ -165,8 +165,8 @@ Figure planned_figures() {
     FigureOutput output{"planned-figures", {write_csv(data, context.out)}, "", std::move(notes)};
     output.caption =
         "For each figure with simulations the cheapest rung whose estimated error stays inside the bands of what it "
-        "asks "
-        "for (100 % is the band), by `slfb plan`; the estimated CPU seconds per simulated second of that rung, of the "
+        "asks for (100 % is the band), or the nearest to them where none does, by `slfb plan`; the estimated CPU "
+        "seconds per simulated second of that rung, of the "
         "paper's mesh and steps with our engine (its SIMPLE iterations not counted), and of the profile; and where the "
         "profile is coarser or richer than the plan.";
     draw_figure("planned-figures",

@@ -50,7 +50,7 @@ double minimum_velocity(const Scene& scene) {
       find_drag_law(scene.coupling.drag_law), sphere_of(leading_species(scene)), liquid_of(scene), packed_voidage);
 }
 
-/// Two numbers with one leading digit, never above the value: steps that people can read.
+/// 1, 2 or 5 times a power of ten, never above the value: steps that people can read.
 double rounded_down(double value) {
   const double decade = std::pow(10.0, std::floor(std::log10(value)));
   for (const double digit : {5.0, 2.0, 1.0})

@@ -23,8 +23,10 @@ FigureOutput draw(const FigureContext& context) {
       "Root mean square of the instantaneous pressure drop about its mean, static head removed, in the bed of 3600 "
       "glass spheres of 5 mm in water at 0.10 m/s (cells of 6.25 mm), against the liquid's time step. Bars: 95 % "
       "intervals from blocks. Spheres that enter a cell by jumps displace liquid at once: that noise grows as the step "
-      "shrinks. Computed every 0.5 or 1 ms and led evenly to where the spheres will be, the void fraction is smoother "
-      "still. Dotted: the buoyant weight of the bed. Right: the same over the value at 1 ms with exact overlap.";
+      "shrinks. Computed every 0.5 or 1 ms and led evenly to where the spheres will be, the void fraction has no "
+      "jumps, but "
+      "its rate has, and what collisions change comes at once. Dotted: the buoyant weight of the bed. Right: the same "
+      "over the value at 1 ms with exact overlap.";
   const auto points =
       noise::load_study(std::filesystem::path(SLFB_SOURCE_DIR) / "experiments/pressure_noise/pressure_noise.csv");
   std::string absolute, relative;

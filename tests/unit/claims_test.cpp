@@ -99,7 +99,9 @@ TEST(Claims, WithoutRunsNothingThatNeedsOneIsDecided) {
     if (std::none_of(keys.begin(), keys.end(), [](const std::string& key) { return needs_run(key); })) continue;
     EXPECT_EQ(evaluation.verdict, Verdict::not_decidable) << evaluation.claim.id;
     EXPECT_EQ(evaluation.gate, Gate::none) << evaluation.claim.id;
-    EXPECT_TRUE(evaluation.reason.starts_with("not yet simulated: ")) << evaluation.reason;
+    EXPECT_TRUE(evaluation.reason.starts_with("not yet simulated: ") ||
+                evaluation.reason.starts_with("no runs about this voidage: "))
+        << evaluation.reason;
   }
 }
 
