@@ -106,7 +106,7 @@ std::filesystem::path definitions_file() {
 /// What the plan for these questions changes in a scene.
 Overrides planned(const std::string& scene, const Overrides& overrides, const std::vector<std::string>& asked) {
   static const plan::Rules rules = plan::load_rules();
-  return plan::make_plan(load_scene(scene_file(scene), overrides), asked, rules).overrides;
+  return plan::make_plan(load_scene(scene_file(scene), overrides), asked, rules, plan::Forces::of_the_scene).overrides;
 }
 
 /// What planned runs have otherwise than the paper, as the other profiles say it in their own words.

@@ -32,6 +32,7 @@ constexpr const char* examples = R"(Examples:
   slfb plan experiments/scenes/6in5W_one-dimensional.toml --for collision_frequency   one dimension is enough
   slfb plan experiments/scenes/6in5W.toml --for minimum_fluidisation_velocity    a root, nothing to simulate
   slfb plan experiments/scenes/single_sphere.toml                  terminal velocity by an ODE, with the answer
+  slfb plan scene.toml --for voidage --keep-forces                 of a paper that leaves added mass out: steps and grid only
   slfb plan scene.toml --for voidage --verify                      run the richer choices and compare
   slfb plan --figures                                              the cheapest rung for each figure of the paper
   slfb run scene.toml --plan auto                                  simulate as planned
@@ -48,7 +49,7 @@ struct Options {
   Overrides overrides;
   fs::path out = SLFB_BUILD_DIR;
   int jobs = 2;
-  bool verify = false, json = false, figures = false;
+  bool verify = false, json = false, figures = false, keep_forces = false;
 };
 
 const std::map<std::string, std::string>& measured_names() {
@@ -192,6 +193,7 @@ void print_plan(const Options& options, const Scene& scene, const Plan& made) {
       fmt::print("    richer    {}: {} of CPU instead of {}\n", d.richer, format_duration(d.richer_core_seconds),
                  made.by_formula ? "milliseconds" : format_duration(made.core_seconds));
   }
+  if (options.keep_forces) fmt::print("{:<20} as the scene has them\n", "further forces");
   fmt::print("\nestimated error (band)  ");
   std::vector<std::string> parts;
   for (const std::string& quantity : made.asked)
@@ -208,8 +210,8 @@ void print_plan(const Options& options, const Scene& scene, const Plan& made) {
     for (const auto& [quantity, value] : plan::answer_by_formula(scene, made))
       fmt::print("answer                  {} = {:.6g}\n", quantity, value);
   } else {
-    fmt::print("to run it               slfb run {} --plan auto --for {}\n", options.scene.string(),
-               fmt::join(made.asked, ","));
+    fmt::print("to run it               slfb run {} --plan auto --for {}{}\n", options.scene.string(),
+               fmt::join(made.asked, ","), options.keep_forces ? " --keep-forces" : "");
   }
 }
 
@@ -221,7 +223,8 @@ int run(const Options& options) {
   if (options.scene.empty()) throw std::invalid_argument("a scene is needed, or --figures");
   const Scene scene = load_scene(options.scene, options.overrides);
   const auto rules = plan::load_rules();
-  const Plan made = plan::make_plan(scene, options.asked.empty() ? plan::usual_questions(scene) : options.asked, rules);
+  const Plan made = plan::make_plan(scene, options.asked.empty() ? plan::usual_questions(scene) : options.asked, rules,
+                                    options.keep_forces ? plan::Forces::of_the_scene : plan::Forces::planned);
   std::optional<std::vector<Verification>> checks;
   if (options.verify) {
     checks = verify(scene, made, options);
@@ -267,6 +270,8 @@ void add_plan_command(CLI::App& app) {
   command->add_option("--for", options->asked, "Quantities that are asked for")->delimiter(',')->type_name("Q,...");
   command->add_option("--set", options->overrides, "Replace a value of the scene: KEY=VALUE, may be repeated")
       ->allow_extra_args(false);
+  command->add_flag("--keep-forces", options->keep_forces,
+                    "Leave added mass, lift, history, lubrication and correction as the scene has them");
   command->add_flag("--verify", options->verify, "Run each richer choice and compare with the bands");
   command->add_flag("--figures", options->figures,
                     "Instead of a scene: the cheapest rung for each figure of the paper");

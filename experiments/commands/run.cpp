@@ -39,7 +39,7 @@ struct Options {
   std::filesystem::path out = SLFB_BUILD_DIR;
   int threads = 1;
   Overrides overrides;
-  bool planned = false;
+  bool planned = false, keep_forces = false;
   std::vector<std::string> asked;
   bool dry_run = false;
   bool json = false;
@@ -177,8 +177,9 @@ const char* status_of(const CampaignOutcome& outcome) {
 int run(const Options& options) {
   Scene scene = load_scene(options.scene, options.overrides);
   if (options.planned) {
-    const plan::Plan made = plan::make_plan(scene, options.asked.empty() ? plan::usual_questions(scene) : options.asked,
-                                            plan::load_rules());
+    const plan::Plan made =
+        plan::make_plan(scene, options.asked.empty() ? plan::usual_questions(scene) : options.asked, plan::load_rules(),
+                        options.keep_forces ? plan::Forces::of_the_scene : plan::Forces::planned);
     if (made.by_formula) {
       for (const auto& [quantity, value] : plan::answer_by_formula(scene, made))
         fmt::print("{} = {:.6g} by {}; nothing to simulate\n", quantity, value, made.decisions.front().choice);
@@ -232,6 +233,8 @@ void add_run_command(CLI::App& app) {
       ->needs("--plan")
       ->delimiter(',')
       ->type_name("Q,...");
+  command->add_flag("--keep-forces", options->keep_forces, "The plan leaves added mass, lift, … as the scene has them")
+      ->needs("--plan");
   command->add_flag("--dry-run", options->dry_run, "Check the scene and show what would run, without running it");
   command->add_flag("--json", options->json, "Write the plan or the summary as JSON");
   command->footer(examples);

@@ -85,7 +85,7 @@ std::vector<FigurePlan> figure_plans() {
     const bool fields = one.flag("fields");
     one.reject_others();
     const Scene scene = load_scene(experiments() / "scenes" / "6in5W.toml", overrides);
-    const Plan made = make_plan(scene, entry.asked, rules);
+    const Plan made = make_plan(scene, entry.asked, rules, Forces::of_the_scene);
     for (const std::string& quantity : entry.asked) {
       const auto effect = made.effect.find(quantity);
       const double share = effect == made.effect.end() ? 0.0 : effect->second / made.band.at(quantity);

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <gsl/gsl_cdf.h>
 
 #include <algorithm>
 #include <cmath>
@@ -67,43 +68,58 @@ Rule::Condition condition_of(studies::TableReader& table, const std::string& tex
   return {number, comparison == ">", value};
 }
 
-/// An error of a study and the half width of its interval [-].
+/// An error of a study, without what chance adds to it, and the standard error of the deviation behind it [-].
 struct Measured {
-  double error, half_width;
+  double error, standard_error;
 };
 
-/// Adds to `measured` what a point of a committed study misses its reference by, or another point of the study, by
-/// quantity; of two studies the one with the narrower interval. Returns where that stands.
+/// Standard error of a mean of replicates, from its 95 % interval; 0 where there is none.
+double standard_error(double half_width, int replicates) {
+  return replicates > 1 && half_width > 0.0 ? half_width / gsl_cdf_tdist_Pinv(0.975, replicates - 1.0) : 0.0;
+}
+
+/// Adds to `measured`, by quantity, what a point of a committed study is off its reference, or another point of the
+/// study; of several the one that is surest. Chance adds the square of its standard error to the mean square of a
+/// deviation: that is taken off. Returns where the numbers stand.
 std::string add_measured(studies::TableReader& table, std::map<std::string, Measured>& measured) {
   const std::string id = table.text("study");
   const frontier::ReducedStudy solved = frontier::load_committed(id);
-  const auto point_at = [&](const std::string& key, const std::string& series, double axis) {
+  const auto read_point = [&](studies::TableReader& place) {
+    const std::string series = place.text("series");
+    const double axis = place.number("axis");
     for (const frontier::ReducedPoint& point : solved.points)
-      if (point.series == series && std::abs(point.axis - axis) <= 1e-9 * std::abs(axis) && point.failure.empty())
+      if (point.series == series && std::abs(point.axis - axis) <= 1e-9 * std::abs(axis) && !point.values.empty())
         return &point;
-    throw table.problem(
-        key, fmt::format("the committed set of study \"{}\" has no answer of \"{}\" at {:g}", id, series, axis));
+    throw place.problem(
+        "axis", fmt::format("the committed set of study \"{}\" has no answer of \"{}\" at {:g}", id, series, axis));
   };
-  const std::string series = table.text("series");
-  const double axis = table.number("axis");
-  const frontier::ReducedPoint* against =
-      table.has("against") ? point_at("against", series, table.number("against")) : nullptr;
-  const auto or_nothing = [](double half_width) { return std::isfinite(half_width) ? half_width : 0.0; };
-  for (const auto& [quantity, value] : point_at("axis", series, axis)->values) {
-    const auto& others = against == nullptr ? solved.reference : against->values;
-    const auto other = others.find(quantity);
-    Measured found{value.error, or_nothing(value.half_width / std::abs(value.value))};
-    if (other != others.end()) {
-      const double scale = std::abs(other->second.value);
-      found = {std::abs(value.value / other->second.value - 1.0),
-               std::hypot(or_nothing(value.half_width / scale), or_nothing(other->second.half_width / scale))};
-    }
-    const auto [place, added] = measured.try_emplace(quantity, found);
-    if (!added && found.half_width < place->second.half_width) place->second = found;
+  const auto text_of = [](const frontier::ReducedPoint& point) {
+    return fmt::format("{} at {:g}", point.series, point.axis);
+  };
+  const frontier::ReducedPoint& point = *read_point(table);
+  const frontier::ReducedPoint* against = nullptr;
+  if (table.has("against")) {
+    studies::TableReader other = table.table("against");
+    against = read_point(other);
+    other.reject_others();
   }
   table.reject_others();
-  return fmt::format("frontier {} ({} at {:g}{}; {} set of {})", id, series, axis,
-                     against == nullptr ? "" : fmt::format(" against {:g}", against->axis), solved.set, solved.date);
+  for (const auto& [quantity, value] : point.values) {
+    const auto& others = against == nullptr ? solved.reference : against->values;
+    Measured found{value.error, 0.0};
+    if (const auto other = others.find(quantity); other != others.end()) {
+      const double truth = other->second.value;
+      found.standard_error = std::hypot(standard_error(value.half_width, point.replicates),
+                                        standard_error(other->second.half_width, point.replicates)) /
+                             std::abs(truth);
+      const double deviation = value.value / truth - 1.0;
+      found.error = std::sqrt(std::max(0.0, deviation * deviation - found.standard_error * found.standard_error));
+    }
+    const auto [place, added] = measured.try_emplace(quantity, found);
+    if (!added && found.standard_error < place->second.standard_error) place->second = found;
+  }
+  return fmt::format("frontier {} ({}{}; {} set of {})", id, text_of(point),
+                     against == nullptr ? "" : " against " + text_of(*against), solved.set, solved.date);
 }
 
 bool holds(const Rule& rule, const std::vector<Number>& numbers, const std::vector<std::string>& asked) {
@@ -218,6 +234,7 @@ Rules load_rules() {
   const toml::table parsed = studies::parse_table(file);
   studies::TableReader table(parsed, file.string());
   Rules rules;
+  rules.forces = table.texts("forces");
   const toml::table* bands = parsed["bands"].as_table();
   if (bands == nullptr) throw table.problem("bands", "is missing");
   for (const auto& [quantity, band] : *bands) rules.bands[std::string(quantity.str())] = band.value_or(0.0);
@@ -311,7 +328,12 @@ Scene changed(const Scene& scene, const Overrides& overrides) {
   return overrides.empty() ? scene : parse_scene(canonical_toml(scene), "plan", overrides);
 }
 
-Plan make_plan(const Scene& scene, const std::vector<std::string>& asked, const Rules& rules) {
+Plan make_plan(const Scene& scene, const std::vector<std::string>& asked, const Rules& all_rules, Forces forces) {
+  Rules rules = all_rules;
+  if (forces == Forces::of_the_scene)
+    std::erase_if(rules.list, [&](const Rule& rule) {
+      return std::ranges::find(rules.forces, rule.subject) != rules.forces.end();
+    });
   std::vector<std::string> known;
   for (const auto& [quantity, band] : rules.bands) known.push_back(quantity);
   for (const std::string& quantity : asked)

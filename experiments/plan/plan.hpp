@@ -29,7 +29,12 @@ struct Rule {
   [[nodiscard]] bool without_simulation() const { return subject == "tier" && set.empty(); }
 };
 
+/// Whether the plan chooses the forces of the liquid beside drag and pressure gradient, or leaves those of the scene,
+/// as for a paper that is to be reproduced.
+enum class Forces { planned, of_the_scene };
+
 struct Rules {
+  std::vector<std::string> forces;      ///< subjects of such forces
   std::map<std::string, double> bands;  ///< relative error that an answer may have, by quantity [-]
   std::vector<Rule> list;
 };
@@ -67,7 +72,8 @@ struct Plan {
 };
 
 /// \throws std::invalid_argument for a quantity that the rules do not know, listing the known ones
-Plan make_plan(const Scene& scene, const std::vector<std::string>& asked, const Rules& rules);
+Plan make_plan(const Scene& scene, const std::vector<std::string>& asked, const Rules& rules,
+               Forces forces = Forces::planned);
 
 /// The quantities that are asked of a scene when nothing is said: those of its drops, or of its bed.
 std::vector<std::string> usual_questions(const Scene& scene);
