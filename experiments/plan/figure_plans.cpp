@@ -132,11 +132,11 @@ std::vector<FigurePlan> figure_plans() {
 
 std::string figure_plans_text(const std::vector<FigurePlan>& plans) {
   std::string text = fmt::format(
-      "{:<9}{:<17}{:<26}{:>10}{:>10}{:>10}{:>10}  {}\n{:<9}{:<17}{:<26}{:>10}{:>10}{:>10}{:>10}  {}\n", "",
+      "{:<17}{:<17}{:<26}{:>10}{:>10}{:>10}{:>10}  {}\n{:<17}{:<17}{:<26}{:>10}{:>10}{:>10}{:>10}  {}\n", "",
       "cheapest rung", "springs, steps", "error", "planned", "paper's", "profile", "the profile's rung", "figure",
       "that answers", "of solids/liquid", "of band", "CPU s/s", "CPU s/s", "CPU s/s", "beside it");
   for (const FigurePlan& plan : plans)
-    text += fmt::format("{:<9}{:<17}{:<26}{:>10}{:>10}{:>10.3g}{:>10.3g}  {}: {}\n{:<9}  asked: {}\n", plan.figure,
+    text += fmt::format("{:<17}{:<17}{:<26}{:>10}{:>10}{:>10.3g}{:>10.3g}  {}: {}\n{:<17}  asked: {}\n", plan.figure,
                         plan.tier, plan.steps, fmt::format("{:.0f} %", 100.0 * plan.error_over_band),
                         plan.by_formula ? "ms" : fmt::format("{:.3g}", plan.core_seconds), plan.paper_core_seconds,
                         plan.profile_core_seconds, plan.profile, plan.agreement, "", fmt::join(plan.asked, ", "));

@@ -216,6 +216,51 @@ TEST(PlanGate, ErrorsThatAddUpTakeARicherChoice) {
   EXPECT_EQ(plan::make_plan(scene, {"voidage"}, rules).decisions.front().choice, "coarse");
 }
 
+// A paper that leaves added mass out is reproduced without it, whatever that changes; asked without the paper in mind,
+// the plan may find that the voidage needs it.
+TEST(PlanGate, ForcesOfTheSceneStay) {
+  const Scene scene = load_scene(fs::path(SLFB_SOURCE_DIR) / "experiments/scenes/6in5W.toml");
+  plan::Rules rules;
+  rules.forces = {"added mass"};
+  rules.bands["voidage"] = 0.02;
+  plan::Rule off, on;
+  off.subject = on.subject = "added mass";
+  off.set = {"coupling.added_mass=0"};
+  off.effect["voidage"] = 0.03;
+  on.set = {"coupling.added_mass=0.5"};
+  rules.list = {off, on};
+  const auto added_mass = [&](const Scene& of, plan::Forces forces) {
+    return plan::changed(of, plan::make_plan(of, {"voidage"}, rules, forces).overrides).coupling.added_mass;
+  };
+  EXPECT_EQ(added_mass(scene, plan::Forces::planned), 0.5);
+  EXPECT_EQ(added_mass(scene, plan::Forces::of_the_scene), 0.0);
+  const Scene with = plan::changed(scene, {"coupling.added_mass=0.4"});
+  EXPECT_EQ(added_mass(with, plan::Forces::of_the_scene), 0.4);
+}
+
+// What rules.toml reads from the committed studies: a soft spring counts far too few collisions, the time step of the
+// liquid hardly any less, and what chance may have made is not told from nothing.
+TEST(PlanGate, EffectsAreThoseOfTheStudies) {
+  const auto rules = plan::load_rules();
+  const auto effect = [&](const char* subject, const char* choice, const char* quantity) {
+    for (const plan::Rule& rule : rules.list)
+      if (rule.subject == subject && rule.choice == choice) return rule.effect.at(quantity);
+    throw std::out_of_range(choice);
+  };
+  frontier::ReducedStudy study = frontier::load_committed("contact-stiffness");
+  const auto soft = std::ranges::find_if(study.points, [](const frontier::ReducedPoint& point) {
+    return point.series == "1e3 N/m" && point.axis == 1e-4;
+  });
+  ASSERT_NE(soft, study.points.end());
+  const double counted = soft->values.at("collision_frequency").value / study.reference.at("collision_frequency").value;
+  const double told = effect("contact stiffness", "1e3 N/m", "collision_frequency");
+  EXPECT_LE(told, 1.0 - counted);
+  EXPECT_GE(told, 0.9 * (1.0 - counted));
+  EXPECT_LT(effect("liquid step", "a quarter of the drag's relaxation time, at most 1 ms", "pressure_drop"), 0.005);
+  for (const plan::Rule& rule : rules.list)
+    for (const auto& [quantity, error] : rule.effect) EXPECT_GE(error, 0.0) << rule.choice << " " << quantity;
+}
+
 // A sphere wider than its cell falls too fast (map foreign-sphere), so no plan for its fall has such cells, whatever
 // finer ones might win elsewhere. Where the bed itself hangs on the cells, next to minimum fluidisation, the plan
 // admits that V_2 stays outside its band.
@@ -247,7 +292,8 @@ TEST(PlanGate, ProfileQuickIsPlanned) {
     const fs::path file = fs::path(SLFB_SOURCE_DIR) / "experiments/scenes" / run.scene;
     const Scene paper = load_scene(file, {fmt::format("liquid.superficial_velocity={} m/s", run.superficial_velocity)});
     const Scene planned = plan::changed(
-        paper, plan::make_plan(paper, {"classification_velocity", "voidage", "pressure_drop", "force_ratio"}, rules)
+        paper, plan::make_plan(paper, {"classification_velocity", "voidage", "pressure_drop", "force_ratio"}, rules,
+                               plan::Forces::of_the_scene)
                    .overrides);
     Scene quick = load_scene(file, run.overrides);
     quick.geometry = planned.geometry;
