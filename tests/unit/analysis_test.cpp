@@ -240,6 +240,19 @@ TEST(Drop, ASphereAtRestOnTheBedHasAPenetration) {
   EXPECT_FALSE(statistics.force_ratio) << "it never came down to the centres of the bed";
 }
 
+// In a hollow of the surface its centre lies below the highest ones, and still it has not gone through the bed.
+TEST(Drop, ASphereInAHollowOfTheSurfaceHasNoPassage) {
+  const auto resting_at = [](double penetration) {
+    DropSeries drop = made_up_drop();
+    for (double& z : drop.z) z = std::max(z, bed_top + 0.0025 - penetration + 0.003);
+    drop.bottom_time = -1.0;
+    return statistics_of(drop);
+  };
+  EXPECT_NEAR(*resting_at(0.007).penetration, 0.007, 1e-12);
+  EXPECT_FALSE(resting_at(0.007).collision_frequency);
+  EXPECT_TRUE(resting_at(0.05).collision_frequency) << "it stays in the bed";
+}
+
 TEST(Voidage, OfThePaperBed) {
   // 0.5255 kg at 2230 kg/m³ in 0.2 m of a 50 mm column is 0.3999.
   const double area = std::numbers::pi / 4.0 * 0.05 * 0.05;
