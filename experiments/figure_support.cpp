@@ -238,11 +238,21 @@ std::vector<std::string> run_notes(const FigureContext& context, const std::vect
 }
 
 void draw_figure_of_runs(const std::string& id, const std::string& commands, Canvas canvas,
-                         const FigureContext& context, const std::vector<std::string>& keys) {
+                         const FigureContext& context, const std::vector<std::string>& keys,
+                         const std::vector<FinishedRun>& own_springs) {
   std::string text =
       fmt::format("Not yet simulated. \"build/slfb figures {} --profile full\" simulates it and draws it again.", id);
   if (const auto present = present_runs(context, keys); !present.empty())
     text = join(differences_of(context, present), " ");
+  if (!own_springs.empty()) {
+    std::vector<const FinishedRun*> of_contacts;
+    for (const FinishedRun& run : own_springs) of_contacts.push_back(&run);
+    const auto sentences = differences_of(context, of_contacts);
+    std::vector<std::string> others;
+    for (std::string& sentence : differences_of(context, present_runs(context, keys)))
+      if (std::ranges::find(sentences, sentence) == sentences.end()) others.push_back(std::move(sentence));
+    text = fmt::format("Contacts and single forces: {} All else: {}", join(sentences, " "), join(others, " "));
+  }
   const int characters = std::max(40, canvas.width / 5);
   const auto lines = wrap(text, static_cast<std::size_t>(characters));
   const int line_height = 13;

@@ -86,8 +86,9 @@ std::vector<std::string> run_notes(const FigureContext& context, const std::vect
 /// Draws ID with the differences of the profile printed below it, or how to simulate it when no run of `keys` exists.
 /// `commands` may use the gnuplot variables `height` (of the picture, in pixels) and `base` (the part of it that this
 /// text takes); a figure of several plots begins with `set multiplot` and calls `eval footer_drawn` after its first
-/// plot, so that the text is drawn once.
+/// plot, so that the text is drawn once. `own_springs`: the runs from which contacts and single forces are taken.
 void draw_figure_of_runs(const std::string& id, const std::string& commands, Canvas canvas,
-                         const FigureContext& context, const std::vector<std::string>& keys);
+                         const FigureContext& context, const std::vector<std::string>& keys,
+                         const std::vector<FinishedRun>& own_springs = {});
 
 }  // namespace slfb

@@ -23,7 +23,8 @@ FigureOutput draw(const FigureContext& context) {
   const auto keys = needs(context.profile);
   const Peng2014& printed = peng_2014();
   FigureOutput output{"fig16", {}, "", run_notes(context, keys)};
-  output.notes.push_back(springs_note(runs_with_own_springs(context.results)));
+  const auto own_springs = runs_with_own_springs(context.results);
+  output.notes.push_back(springs_note(own_springs));
   output.caption =
       "Spheres in contact with the 6 mm steel sphere during its passage of the bed, mean over time (above) and most at "
       "once (below), against the voidage. Open black circles: the five numbers that the paper prints (6 in 3 mm). "
@@ -56,7 +57,7 @@ FigureOutput draw(const FigureContext& context) {
       "set ylabel 'most contacts [-]' offset 0.5,0\nunset key\n"
       "plot 'fig16_paper.csv' skip 1 using 1:3 with points linestyle 1 dashtype 1" +
       simulated[1] + "\nunset multiplot\n";
-  draw_figure_of_runs("fig16", script, {520, 620}, context, keys);
+  draw_figure_of_runs("fig16", script, {520, 620}, context, keys, own_springs);
   return output;
 }
 

@@ -30,8 +30,7 @@ std::vector<std::string> needs(const Profile& profile) {
   return select_run_keys(profile, [](const RunSpec& spec) {
     return spec.variant.empty() &&
            std::any_of(substitutes.begin(), substitutes.end(), [&](const Substitute& substitute) {
-             return spec.system == substitute.system &&
-                    velocity_text(spec.superficial_velocity) == substitute.velocity;
+             return spec.system == substitute.system && velocity_text(spec.superficial_velocity) == substitute.velocity;
            });
   });
 }
@@ -146,7 +145,7 @@ FigureOutput draw(const FigureContext& context) {
       "title "
       "'Di Felice'\nunset multiplot\n",
       caption_velocity, terminal);
-  draw_figure_of_runs("fig17", script, {540, 760}, context, keys);
+  draw_figure_of_runs("fig17", script, {540, 760}, context, keys, own_springs);
   return output;
 }
 

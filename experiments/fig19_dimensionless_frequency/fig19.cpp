@@ -33,7 +33,8 @@ FigureOutput draw(const FigureContext& context) {
   const auto keys = needs(context.profile);
   const Peng2014& printed = peng_2014();
   FigureOutput output{"fig19", {}, "", run_notes(context, keys)};
-  output.notes.push_back(springs_note(runs_with_own_springs(context.results)));
+  const auto own_springs = runs_with_own_springs(context.results);
+  output.notes.push_back(springs_note(own_springs));
   output.caption = fmt::format(
       "Collision frequency of the 6 mm steel sphere in 5 mm glass, made dimensionless with the diameter and the "
       "fluctuating energy of the fluidised spheres (Eq. 38), against the solid fraction. Dashed black: the kinetic "
@@ -78,7 +79,7 @@ FigureOutput draw(const FigureContext& context) {
       "'printed "
       "frequencies, range the axes allow'" +
       simulated + "\n";
-  draw_figure_of_runs("fig19", script, {520, 480}, context, keys);
+  draw_figure_of_runs("fig19", script, {520, 480}, context, keys, own_springs);
   return output;
 }
 

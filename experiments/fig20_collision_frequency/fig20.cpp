@@ -26,7 +26,8 @@ FigureOutput draw(const FigureContext& context) {
   const auto keys = needs(context.profile);
   const Peng2014& printed = peng_2014();
   FigureOutput output{"fig20", {}, "", run_notes(context, keys)};
-  output.notes.push_back(springs_note(runs_with_own_springs(context.results)));
+  const auto own_springs = runs_with_own_springs(context.results);
+  output.notes.push_back(springs_note(own_springs));
   output.caption =
       "Collision frequency of the foreign sphere against the solid fraction of the bed, for eight pairs of foreign and "
       "fluidised sphere: new contacts per second from entering the bed to the bottom, with 95 % intervals over the "
@@ -57,13 +58,13 @@ FigureOutput draw(const FigureContext& context) {
                                   std::string(system.title), system.line_style, context, output);
   const std::string script =
       "set key tmargin left vertical maxrows 5 Left reverse font ',11'\nset xrange [0.14:0.6]\nset logscale y\n"
-      "set yrange [20:5000]\nset xlabel 'solid fraction α_S [-]'\nset ylabel 'collision frequency f_{coll} [1/s]' "
+      "set yrange [20:10000]\nset xlabel 'solid fraction α_S [-]'\nset ylabel 'collision frequency f_{coll} [1/s]' "
       "offset 0.5,0\n"
       "plot 'fig20_straight_flight.csv' skip 1 using 1:2 with lines linestyle 14 title 'Eq. 5 at V_2 of Table 2, 6 in "
       "5 "
       "mm', 'fig20_paper.csv' skip 1 using 1:2 with points linestyle 1 dashtype 1 title 'paper, printed'" +
       simulated + "\n";
-  draw_figure_of_runs("fig20", script, {560, 520}, context, keys);
+  draw_figure_of_runs("fig20", script, {560, 520}, context, keys, own_springs);
   return output;
 }
 

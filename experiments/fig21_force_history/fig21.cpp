@@ -115,7 +115,7 @@ FigureOutput draw(const FigureContext& context) {
                     printed.value("peak_force_lowest"), printed.value("peak_force_highest"), plot);
     if (place == 0) script += "eval footer_drawn\nunset label 2\n";
   }
-  draw_figure_of_runs("fig21", script + "unset multiplot\n", {640, 620}, context, keys);
+  draw_figure_of_runs("fig21", script + "unset multiplot\n", {640, 620}, context, keys, own_springs);
   return output;
 }
 
