@@ -32,7 +32,7 @@ Examples:
   slfb frontier --list                        the studies, and what is computed of them
   slfb frontier                               the quick set of all studies (about 5 minutes on two cores)
   slfb frontier contact-integrators           one study
-  slfb frontier --set full                    more settings, more replicates; hours, may be interrupted
+  slfb frontier --set full                    more settings, more replicates; two hours of one core, may be interrupted
   slfb frontier fluid-tier --no-run           draw what exists
 
 Every trial is kept in DIR/trials: Ctrl-C loses nothing and no trial is computed twice. The charts lie in

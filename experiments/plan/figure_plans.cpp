@@ -161,7 +161,7 @@ Figure planned_figures() {
       notes.push_back(fmt::format("{} asks for {}; nearest to its band: {}.", plan.figure, fmt::join(plan.asked, ", "),
                                   plan.worst));
     }
-    constexpr int width = 1010;
+    constexpr int width = 1040;
     FigureOutput output{"planned-figures", {write_csv(data, context.out)}, "", std::move(notes)};
     output.caption =
         "For each figure with simulations the cheapest rung whose estimated error stays inside the bands of what it "
@@ -171,13 +171,13 @@ Figure planned_figures() {
         "profile is coarser or richer than the plan.";
     draw_figure("planned-figures",
                 table_commands({{"\nfigure", 14, true},
-                                {"\ncheapest rung", 80, true},
-                                {"springs, step of\nsolids/liquid", 210, true},
-                                {"error\nof band", 460},
-                                {"planned\n[s/s]", 540, false, "ours"},
-                                {"the paper\n[s/s]", 620},
-                                {"profile\n[s/s]", 700},
-                                {"\nthe profile beside the plan", 725, true}},
+                                {"\ncheapest rung", 130, true},
+                                {"springs, step of\nsolids/liquid", 250, true},
+                                {"error\nof band", 490},
+                                {"planned\n[s/s]", 570, false, "ours"},
+                                {"the paper\n[s/s]", 650},
+                                {"profile\n[s/s]", 730},
+                                {"\nthe profile beside the plan", 755, true}},
                                rows, width),
                 {width, table_height(rows.size())}, context.out);
     return output;
