@@ -242,16 +242,18 @@ void draw_figure_of_runs(const std::string& id, const std::string& commands, Can
                          const std::vector<FinishedRun>& own_springs) {
   std::string text =
       fmt::format("Not yet simulated. \"build/slfb figures {} --profile full\" simulates it and draws it again.", id);
-  if (const auto present = present_runs(context, keys); !present.empty())
-    text = join(differences_of(context, present), " ");
-  if (!own_springs.empty()) {
+  const auto present = present_runs(context, keys);
+  if (own_springs.empty()) {
+    if (!present.empty()) text = join(differences_of(context, present), " ");
+  } else {
     std::vector<const FinishedRun*> of_contacts;
     for (const FinishedRun& run : own_springs) of_contacts.push_back(&run);
     const auto sentences = differences_of(context, of_contacts);
     std::vector<std::string> others;
-    for (std::string& sentence : differences_of(context, present_runs(context, keys)))
+    for (std::string& sentence : differences_of(context, present))
       if (std::ranges::find(sentences, sentence) == sentences.end()) others.push_back(std::move(sentence));
-    text = fmt::format("Contacts and single forces: {} All else: {}", join(sentences, " "), join(others, " "));
+    const std::string contacts = "Contacts and single forces: " + join(sentences, " ");
+    text = present.empty() ? text + " " + contacts : contacts + " All else: " + join(others, " ");
   }
   const int characters = std::max(40, canvas.width / 5);
   const auto lines = wrap(text, static_cast<std::size_t>(characters));
