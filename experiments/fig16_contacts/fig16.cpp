@@ -53,7 +53,7 @@ FigureOutput draw(const FigureContext& context) {
       "plot 'fig16_paper.csv' skip 1 using 1:2 with points linestyle 1 dashtype 1 title 'paper, printed'" +
       simulated[0] +
       "\neval footer_drawn\nset tmargin at screen middle - 2.0/height\nset bmargin at screen base + 60.0/height\n"
-      "set format x '%g'\nset xlabel 'voidage α_L [-]'\nunset logscale y\nset yrange [0:10]\nset ytics 2\n"
+      "set format x '%g'\nset xlabel 'voidage α_L [-]'\nunset logscale y\nset yrange [0:16]\nset ytics 4\n"
       "set ylabel 'most contacts [-]' offset 0.5,0\nunset key\n"
       "plot 'fig16_paper.csv' skip 1 using 1:3 with points linestyle 1 dashtype 1" +
       simulated[1] + "\nunset multiplot\n";

@@ -59,7 +59,7 @@ FigureOutput draw(const FigureContext& context) {
   const std::string script =
       "set key tmargin left vertical maxrows 5 Left reverse font ',11'\nset xrange [0.14:0.6]\nset logscale y\n"
       "set yrange [20:10000]\nset xlabel 'solid fraction α_S [-]'\nset ylabel 'collision frequency f_{coll} [1/s]' "
-      "offset 0.5,0\n"
+      "offset 1.8,0\n"
       "plot 'fig20_straight_flight.csv' skip 1 using 1:2 with lines linestyle 14 title 'Eq. 5 at V_2 of Table 2, 6 in "
       "5 "
       "mm', 'fig20_paper.csv' skip 1 using 1:2 with points linestyle 1 dashtype 1 title 'paper, printed'" +
