@@ -210,7 +210,8 @@ DropStatistics analyse_drop(const DropSeries& drop, const DropSurroundings& surr
   if (!at_bottom && final_speed(drop) < resting_speed) {
     const double surface = surroundings.bed_top + 0.5 * surroundings.bed_diameter;
     statistics.penetration = surface - (drop.z.back() - 0.5 * surroundings.sphere_diameter);
-    // It lies on the bed, be it in a hollow: what it met is its landing, not a passage.
+    // Not deeper than itself and one layer of the bed, it lies in a hollow of the surface at most: what it met is its
+    // landing, not a passage.
     if (*statistics.penetration < surroundings.bed_diameter + surroundings.sphere_diameter) return statistics;
   }
 

@@ -96,7 +96,8 @@ struct DropSurroundings {
 };
 
 /// Averages of one drop. Passage quantities run from entering the bed to the bottom (the paper's "entire settling
-/// process") and are empty when the sphere does not reach the bed, or comes to rest on it.
+/// process") and are empty when the sphere does not reach the bed, or comes to rest on it, no deeper than
+/// its own diameter and one of the bed.
 struct DropStatistics {
   std::optional<ClassificationFit> classification;
   std::optional<double> time_to_bottom;       ///< from release [s]; empty when the bottom is not reached

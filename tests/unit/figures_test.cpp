@@ -1,5 +1,4 @@
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <filesystem>
@@ -23,6 +22,7 @@
 #include "reports/html.hpp"
 #include "reports/markdown.hpp"
 #include "reports/report.hpp"
+#include "tests/unit/folder.hpp"
 #include "tests/unit/synthetic_runs.hpp"
 
 namespace slfb {
@@ -36,22 +36,6 @@ std::string read(const fs::path& file) {
   text << stream.rdbuf();
   return text.str();
 }
-
-/// A folder that goes away with the test.
-class Folder {
- public:
-  Folder() {
-    std::string name = (fs::temp_directory_path() / "slfb-figures-XXXXXX").string();
-    path_ = mkdtemp(name.data());
-  }
-  Folder(const Folder&) = delete;
-  Folder& operator=(const Folder&) = delete;
-  ~Folder() { fs::remove_all(path_); }
-  [[nodiscard]] const fs::path& path() const { return path_; }
-
- private:
-  fs::path path_;
-};
 
 /// A heading says what it is and in which unit: "voidage [-]".
 void expect_headings_with_units(const fs::path& file) {

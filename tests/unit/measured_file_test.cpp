@@ -4,24 +4,18 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <filesystem>
 #include <fstream>
 #include <string>
+
+#include "tests/unit/folder.hpp"
 
 namespace slfb {
 namespace {
 
 class MeasuredFile : public testing::Test {
  protected:
-  void SetUp() override {
-    folder_ = std::filesystem::temp_directory_path() /
-              (std::string("slfb_measured_") + testing::UnitTest::GetInstance()->current_test_info()->name());
-    std::filesystem::create_directories(folder_);
-  }
-  void TearDown() override { std::filesystem::remove_all(folder_); }
-
   Measurements load(const std::string& text) {
-    const auto file = folder_ / "mine.toml";
+    const auto file = folder_.path() / "mine.toml";
     std::ofstream(file) << text << std::flush;
     return load_measured(file, claims_);
   }
@@ -40,7 +34,7 @@ class MeasuredFile : public testing::Test {
   }
 
   std::vector<Claim> claims_ = load_claims();
-  std::filesystem::path folder_;
+  Folder folder_;
 };
 
 /// A velocity at 0.10 m/s in 6in5W.
