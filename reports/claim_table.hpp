@@ -4,7 +4,7 @@
 #include <utility>
 #include <vector>
 
-#include "experiments/claims.hpp"
+#include "experiments/claims/claims.hpp"
 
 /// Claims as the pages of the report show them.
 namespace slfb {

@@ -10,6 +10,7 @@
 #include <stdexcept>
 
 #include "reports/html.hpp"
+#include "solver/support/folders.hpp"
 
 namespace slfb::compare {
 namespace {
@@ -25,7 +26,7 @@ void write_file(const fs::path& file, const std::string& text) {
 }
 
 std::string style() {
-  const fs::path file = fs::path(SLFB_SOURCE_DIR) / "reports" / "report.css";
+  const fs::path file = source_folder() / "reports" / "report.css";
   std::ifstream stream(file, std::ios::binary);
   std::ostringstream text;
   if (!stream || !(text << stream.rdbuf())) throw std::runtime_error(fmt::format("cannot read {}", file.string()));

@@ -11,11 +11,12 @@
 #include <sstream>
 #include <stdexcept>
 
-#include "experiments/measure.hpp"
-#include "experiments/run_files.hpp"
+#include "experiments/runs/measure.hpp"
+#include "experiments/runs/run_files.hpp"
 #include "reports/claim_table.hpp"
 #include "reports/html.hpp"
 #include "reports/markdown.hpp"
+#include "solver/support/folders.hpp"
 
 namespace slfb {
 namespace {
@@ -161,7 +162,7 @@ std::string neighbours(const ReportContents& contents, std::size_t place) {
 
 /// How the figure is measured; empty where nothing is written of it.
 std::string measurement(const Figure& figure) {
-  const fs::path readme = fs::path(SLFB_SOURCE_DIR) / "experiments" / figure.folder / "README.md";
+  const fs::path readme = source_folder() / "experiments" / figure.folder / "README.md";
   if (figure.folder.empty() || !fs::exists(readme)) return "";
   return "<h2>How it is measured</h2>\n<div class=\"prose\">" + markdown_html(read_file(readme)) + "</div>\n";
 }
@@ -210,7 +211,7 @@ std::string page(const ReportContents& contents, std::size_t place, const fs::pa
              "{}</title>\n<style>\n{}</style>\n</head>\n<body>\n"
              "<header class=\"masthead slim\"><div>\n{}</div></header>\n<nav><div>{}</div></nav>\n<main>\n",
              label_of(output.id), prose_html(figure_named(output.id).title),
-             read_file(fs::path(SLFB_SOURCE_DIR) / "reports" / "report.css"), heading(contents, output),
+             read_file(source_folder() / "reports" / "report.css"), heading(contents, output),
              neighbours(contents, place)) +
          body(contents, output, measurement(figure_named(output.id)), folder) +
          fmt::format("<footer>slfb {}</footer>\n</main>\n</body>\n</html>\n", escape_html(SLFB_VERSION));

@@ -7,7 +7,8 @@
 #include <sstream>
 #include <stdexcept>
 
-#include "solver/run_program.hpp"
+#include "solver/support/folders.hpp"
+#include "solver/support/run_program.hpp"
 
 namespace slfb {
 namespace {
@@ -66,7 +67,7 @@ void draw_figure(const std::string& id, const std::string& commands, const Canva
                   fmt::arg("width", canvas.width), fmt::arg("height", canvas.height),
                   fmt::arg("png_width", 2 * canvas.width), fmt::arg("png_height", 2 * canvas.height),
                   fmt::arg("pdf_width", canvas.width / 96.0), fmt::arg("pdf_height", canvas.height / 96.0));
-  const std::string style = read_file(fs::path(SLFB_SOURCE_DIR) / "reports" / "style.gp");
+  const std::string style = read_file(source_folder() / "reports" / "style.gp");
   const std::string script = id + ".gp";
   write_file(folder / script, head + "\n" + style + "\n" + commands + "unset output\n");
   for (const std::string& format : formats) fs::remove(folder / (id + "." + format));

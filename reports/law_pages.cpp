@@ -15,6 +15,7 @@
 #include "correlations/check_values.hpp"
 #include "reports/html.hpp"
 #include "reports/law_plot.hpp"
+#include "solver/support/folders.hpp"
 
 namespace slfb {
 namespace {
@@ -74,7 +75,7 @@ std::string citation(const std::string& bibliography, std::string_view key) {
 }
 
 std::string page(const std::string& title, const std::string& body) {
-  const std::string style = read_file(fs::path(SLFB_SOURCE_DIR) / "reports" / "report.css");
+  const std::string style = read_file(source_folder() / "reports" / "report.css");
   return fmt::format(
       "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\" />\n<meta name=\"viewport\" "
       "content=\"width=device-width, initial-scale=1\" />\n<title>{0}</title>\n<style>\n{1}</style>\n</head>\n<body>\n"
@@ -256,7 +257,7 @@ std::string variants_page() {
 void write_law_pages(const fs::path& folder) {
   const fs::path laws = folder / "laws";
   fs::create_directories(laws);
-  const fs::path data = fs::path(SLFB_SOURCE_DIR) / "reference-data";
+  const fs::path data = source_folder() / "reference-data";
   const std::string bibliography = read_file(data / "references.bib");
   const std::vector<CheckValue> checks = read_check_values(data / "law-checks");
   for (const CatalogueEntry& entry : catalogue()) {

@@ -14,14 +14,15 @@
 #include <sstream>
 #include <stdexcept>
 
-#include "experiments/measure.hpp"
-#include "experiments/run_files.hpp"
+#include "experiments/runs/measure.hpp"
+#include "experiments/runs/run_files.hpp"
 #include "reports/claim_table.hpp"
 #include "reports/figure_pages.hpp"
 #include "reports/html.hpp"
 #include "reports/law_pages.hpp"
 #include "reports/law_section.hpp"
 #include "reports/markdown.hpp"
+#include "solver/support/folders.hpp"
 
 namespace slfb {
 namespace {
@@ -210,7 +211,7 @@ std::string whole_page(const std::string& title, const std::string& body) {
       "name=\"viewport\" content=\"width=device-width, initial-scale=1\" />\n<title>{}</title>\n<style>\n{}</style>\n"
       "</head>\n<body>\n{}<footer>slfb {}. The numbers of the paper are facts quoted with their place in it.</footer>\n"
       "</main>\n</body>\n</html>\n",
-      title, read_file(fs::path(SLFB_SOURCE_DIR) / "reports" / "report.css"), body, escape_html(SLFB_VERSION));
+      title, read_file(source_folder() / "reports" / "report.css"), body, escape_html(SLFB_VERSION));
 }
 
 /// The whole report on one page, for paper or PDF. Links between pages become links between its sections, and those to
@@ -228,7 +229,7 @@ std::string print_page(const ReportContents& contents, const fs::path& folder) {
       section("claims", "Claims of the text",
               "<p>Statements of the paper that belong to no figure.</p>\n" + claim_table(of_no_figure, "")) +
       section("inconsistencies", "What does not add up", inconsistency_section(contents)) +
-      section("methods", "Methods", markdown_html(read_file(fs::path(SLFB_SOURCE_DIR) / "reports" / "methods.md"))) +
+      section("methods", "Methods", markdown_html(read_file(source_folder() / "reports" / "methods.md"))) +
       section("laws", "Laws", law_section()) + section("provenance", "Provenance", provenance_section(contents));
   static const std::array<std::pair<std::regex, const char*>, 4> links{
       {{std::regex("href=\"[^\":#]*\\.html#([^\"]+)\""), "href=\"#$1\""},
@@ -285,7 +286,7 @@ void write_report(const ReportContents& contents, const fs::path& figures_folder
         whole_page(title, fmt::format("<header class=\"masthead slim\"><div><h1>{}</h1></div></header>\n{}<main>\n{}",
                                       title, navigation(title), body)));
   };
-  const fs::path source = fs::path(SLFB_SOURCE_DIR) / "reports";
+  const fs::path source = source_folder() / "reports";
   write_page("claims.html", "Claims",
              claim_section(contents) + "<script>\n" + read_file(source / "report.js") + "</script>\n");
   write_page("inconsistencies.html", "What does not add up", inconsistency_section(contents));

@@ -3,10 +3,10 @@
 #include <filesystem>
 #include <vector>
 
-#include "experiments/campaign.hpp"
-#include "experiments/claims.hpp"
-#include "experiments/figure.hpp"
-#include "experiments/inconsistencies.hpp"
+#include "experiments/claims/claims.hpp"
+#include "experiments/figures/figure.hpp"
+#include "experiments/peng_2014/inconsistencies.hpp"
+#include "experiments/runs/campaign.hpp"
 
 namespace slfb {
 

@@ -9,11 +9,12 @@
 #include <thread>
 #include <vector>
 
-#include "experiments/bench/coupled_bench.hpp"
-#include "experiments/bench/dem_bench.hpp"
-#include "experiments/bench/fluid_bench.hpp"
 #include "experiments/commands/above_zero.hpp"
-#include "experiments/pressure_noise/noise_study.hpp"
+#include "experiments/numerics/bench/coupled_bench.hpp"
+#include "experiments/numerics/bench/dem_bench.hpp"
+#include "experiments/numerics/bench/fluid_bench.hpp"
+#include "experiments/numerics/pressure_noise/noise_study.hpp"
+#include "solver/support/folders.hpp"
 
 namespace slfb {
 namespace {
@@ -28,7 +29,7 @@ struct DemOptions {
 
 void bench_dem(const DemOptions& options) {
   const auto say = [](const std::string& text) { fmt::print(stderr, "slfb: {}\n", text); };
-  const std::filesystem::path cache = std::filesystem::path(SLFB_BUILD_DIR) / "bench";
+  const std::filesystem::path cache = build_folder() / "bench";
   nlohmann::ordered_json results = nlohmann::ordered_json::array();
   if (!options.json && options.lammps_file.empty())
     fmt::print("{:5} {:>7} {:>16} {:>17} {:>9} {:>10} {:>10} {:>12}\n", "scene", "threads", "M particle-steps",
@@ -80,7 +81,7 @@ struct CoupledOptions {
 
 void bench_coupled(const CoupledOptions& options) {
   const auto say = [](const std::string& text) { fmt::print(stderr, "slfb: {}\n", text); };
-  const std::filesystem::path cache = std::filesystem::path(SLFB_BUILD_DIR) / "bench";
+  const std::filesystem::path cache = build_folder() / "bench";
   nlohmann::ordered_json results = nlohmann::ordered_json::array();
   for (const std::string& name : options.cases) {
     const auto& cases = bench::coupled_cases();
@@ -242,7 +243,7 @@ void add_bench_command(CLI::App& app) {
   coupled->footer("Example:\n  slfb bench coupled --case paper-3mm --threads 2 --set fluid.time_step=2e-4");
   coupled->callback([coupled_options] { bench_coupled(*coupled_options); });
 
-  auto file = std::make_shared<std::string>("experiments/pressure_noise/pressure_noise.csv");
+  auto file = std::make_shared<std::string>("experiments/numerics/pressure_noise/pressure_noise.csv");
   CLI::App* noise = bench->add_subcommand(
       "pressure-noise",
       "Makes the results anew that the figure pressure-noise draws: the pressure drop of a\nfluidised bed step by "

@@ -13,12 +13,13 @@
 #include <string>
 #include <vector>
 
-#include "experiments/campaign.hpp"
-#include "experiments/causes/causes.hpp"
-#include "experiments/claims.hpp"
-#include "experiments/measure.hpp"
-#include "experiments/measured_file.hpp"
-#include "solver/close_names.hpp"
+#include "experiments/claims/claims.hpp"
+#include "experiments/claims/measured_file.hpp"
+#include "experiments/peng_2014/causes/causes.hpp"
+#include "experiments/runs/campaign.hpp"
+#include "experiments/runs/measure.hpp"
+#include "solver/support/close_names.hpp"
+#include "solver/support/folders.hpp"
 
 namespace slfb {
 namespace {
@@ -52,7 +53,7 @@ struct Options {
   std::filesystem::path junit, measured;
   bool start = false;  ///< print a file of measured results to start from
   std::string profile = "quick";
-  std::filesystem::path out = SLFB_BUILD_DIR;
+  std::filesystem::path out = build_folder();
 };
 
 /// The claims whose id is or begins with one of `ids`; all when there are none.

@@ -19,11 +19,12 @@
 #include "experiments/compare/bed_figures.hpp"
 #include "experiments/compare/contact_report.hpp"
 #include "experiments/compare/drag_report.hpp"
-#include "experiments/measure.hpp"
-#include "experiments/run_estimate.hpp"
-#include "experiments/run_files.hpp"
+#include "experiments/runs/measure.hpp"
+#include "experiments/runs/run_estimate.hpp"
+#include "experiments/runs/run_files.hpp"
+#include "solver/laws/user_law.hpp"
 #include "solver/scene/scene_description.hpp"
-#include "solver/user_law.hpp"
+#include "solver/support/folders.hpp"
 
 namespace slfb {
 namespace {
@@ -56,7 +57,7 @@ struct Options {
   std::string template_kind;
   std::string tier = "1d";
   std::vector<double> velocities;
-  fs::path out = SLFB_BUILD_DIR;
+  fs::path out = build_folder();
   int jobs = 0;
   int threads = 1;
 };
@@ -371,7 +372,7 @@ void add_compare_command(CLI::App& app) {
     int status = 0;
     try {
       if (!options->template_kind.empty()) {
-        std::cout << read_file(fs::path(SLFB_SOURCE_DIR) / "experiments" / "compare" / "templates" /
+        std::cout << read_file(source_folder() / "experiments" / "compare" / "templates" /
                                (options->template_kind + "_law.cpp"));
       } else if (!options->drag.empty()) {
         status = compare_drag(*options);

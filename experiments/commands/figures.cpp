@@ -10,16 +10,17 @@
 #include <thread>
 #include <vector>
 
-#include "experiments/campaign.hpp"
-#include "experiments/causes/causes.hpp"
-#include "experiments/claims.hpp"
+#include "experiments/claims/claims.hpp"
 #include "experiments/commands/above_zero.hpp"
-#include "experiments/figure.hpp"
-#include "experiments/inconsistencies.hpp"
-#include "experiments/measure.hpp"
-#include "experiments/run_campaign.hpp"
-#include "experiments/run_files.hpp"
+#include "experiments/figures/figure.hpp"
+#include "experiments/peng_2014/causes/causes.hpp"
+#include "experiments/peng_2014/inconsistencies.hpp"
+#include "experiments/runs/campaign.hpp"
+#include "experiments/runs/measure.hpp"
+#include "experiments/runs/run_campaign.hpp"
+#include "experiments/runs/run_files.hpp"
 #include "reports/report.hpp"
+#include "solver/support/folders.hpp"
 
 namespace slfb {
 namespace {
@@ -39,7 +40,7 @@ struct Options {
   std::string profile = "quick";
   int jobs = 0;     // 0: as many as there are cores or runs
   int threads = 0;  // 0: share the cores among the jobs
-  std::filesystem::path out = SLFB_BUILD_DIR;
+  std::filesystem::path out = build_folder();
   bool no_run = false;
   bool publish = false;
 };
@@ -153,7 +154,7 @@ void add_figures_command(CLI::App& app) {
   command->add_option("--out", options->out, "folder of runs/, figures/ and report/")->capture_default_str();
   command->add_flag("--no-run", options->no_run, "simulate nothing, draw with what exists");
   command->add_flag("--publish", options->publish,
-                    "copy the finished results of the profile to reports/published/runs, to be committed");
+                    "copy the finished results of the profile to reports/published/peng_2014/runs, to be committed");
   command->footer(examples);
   command->callback([options] {
     if (const int status = make_figures(*options); status != 0) throw CLI::RuntimeError(status);

@@ -11,8 +11,9 @@
 #include <vector>
 
 #include "experiments/commands/above_zero.hpp"
-#include "experiments/frontier/frontier_chart.hpp"
-#include "experiments/frontier/study.hpp"
+#include "experiments/numerics/frontier/frontier_chart.hpp"
+#include "experiments/numerics/frontier/study.hpp"
+#include "solver/support/folders.hpp"
 
 namespace slfb {
 namespace {
@@ -37,12 +38,12 @@ Examples:
 
 Every trial is kept in DIR/trials: Ctrl-C loses nothing and no trial is computed twice. The charts lie in
 DIR/frontier: frontier-STUDY.svg/.png/.pdf, a CSV per method, STUDY.json. Studies are files in
-experiments/frontier/studies; a new one needs no code (experiments/frontier/README.md).)";
+experiments/numerics/frontier/studies; a new one needs no code (experiments/numerics/frontier/README.md).)";
 
 struct Options {
   std::vector<std::string> studies;
   std::string set = "quick";
-  fs::path out = SLFB_BUILD_DIR;
+  fs::path out = build_folder();
   int jobs = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
   bool list = false, no_run = false, publish = false;
 };
@@ -140,7 +141,8 @@ void add_frontier_command(CLI::App& app) {
       ->capture_default_str();
   command->add_flag("--list", options->list, "Show the studies and what of them is computed");
   command->add_flag("--no-run", options->no_run, "Compute nothing, draw what exists");
-  command->add_flag("--publish", options->publish, "Write the reduced results to experiments/frontier/results too");
+  command->add_flag("--publish", options->publish,
+                    "Write the reduced results to experiments/numerics/frontier/results too");
   command->footer(examples);
   command->callback([options] {
     if (const int status = run(*options); status != 0) throw CLI::RuntimeError(status);

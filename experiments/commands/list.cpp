@@ -9,9 +9,10 @@
 #include <string>
 #include <vector>
 
-#include "experiments/campaign.hpp"
-#include "experiments/claims.hpp"
-#include "experiments/figure.hpp"
+#include "experiments/claims/claims.hpp"
+#include "experiments/figures/figure.hpp"
+#include "experiments/runs/campaign.hpp"
+#include "solver/support/folders.hpp"
 
 namespace slfb {
 namespace {
@@ -47,7 +48,7 @@ void list_profile(const std::string& name) {
 
 void list_scenes() {
   fmt::print("\nScenes (slfb run experiments/scenes/NAME)\n");
-  const auto folder = std::filesystem::path(SLFB_SOURCE_DIR) / "experiments" / "scenes";
+  const auto folder = source_folder() / "experiments" / "peng_2014" / "scenes";
   std::vector<std::string> names;
   for (const auto& entry : std::filesystem::directory_iterator(folder)) {
     if (entry.path().extension() == ".toml") names.push_back(entry.path().filename().string());

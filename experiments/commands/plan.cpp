@@ -11,13 +11,14 @@
 #include <optional>
 
 #include "experiments/commands/above_zero.hpp"
-#include "experiments/measure.hpp"
-#include "experiments/plan/figure_plans.hpp"
-#include "experiments/plan/plan.hpp"
-#include "experiments/run_campaign.hpp"
-#include "experiments/run_estimate.hpp"
-#include "experiments/run_files.hpp"
-#include "experiments/studies/trial.hpp"
+#include "experiments/numerics/plan/plan.hpp"
+#include "experiments/numerics/studies/trial.hpp"
+#include "experiments/peng_2014/planned_figures/figure_plans.hpp"
+#include "experiments/runs/measure.hpp"
+#include "experiments/runs/run_campaign.hpp"
+#include "experiments/runs/run_estimate.hpp"
+#include "experiments/runs/run_files.hpp"
+#include "solver/support/folders.hpp"
 
 namespace slfb {
 namespace {
@@ -28,9 +29,9 @@ using plan::Decision;
 using plan::Plan;
 
 constexpr const char* examples = R"(Examples:
-  slfb plan experiments/scenes/6in5W.toml                          what the usual questions need: V_2 and voidage
-  slfb plan experiments/scenes/6in5W_one-dimensional.toml --for collision_frequency   one dimension is enough
-  slfb plan experiments/scenes/6in5W.toml --for minimum_fluidisation_velocity    a root, nothing to simulate
+  slfb plan experiments/peng_2014/scenes/6in5W.toml                          what the usual questions need: V_2 and voidage
+  slfb plan experiments/peng_2014/scenes/6in5W_one-dimensional.toml --for collision_frequency   one dimension is enough
+  slfb plan experiments/peng_2014/scenes/6in5W.toml --for minimum_fluidisation_velocity    a root, nothing to simulate
   slfb plan experiments/scenes/single_sphere.toml                  terminal velocity by an ODE, with the answer
   slfb plan scene.toml --for voidage --keep-forces                 of a paper that leaves added mass out: steps and grid only
   slfb plan scene.toml --for voidage --verify                      run the richer choices and compare
@@ -39,7 +40,7 @@ constexpr const char* examples = R"(Examples:
 
 Quantities: terminal_velocity, minimum_fluidisation_velocity, voidage, pressure_drop, classification_velocity (V_2),
 force_ratio (|F_c|/mg), fluctuating_energy (q_p²), collision_frequency, peak_force, contacts.
-The rules are experiments/plan/rules.toml, each with its source and with the study or map behind it. `--verify` repeats
+The rules are experiments/numerics/plan/rules.toml, each with its source and with the study or map behind it. `--verify` repeats
 the planned run with each richer choice in turn and says whether the asked quantities stay inside their bands: a rule
 whose choice leaves its band is named, and the exit status is 1.)";
 
@@ -47,7 +48,7 @@ struct Options {
   fs::path scene;
   std::vector<std::string> asked;
   Overrides overrides;
-  fs::path out = SLFB_BUILD_DIR;
+  fs::path out = build_folder();
   int jobs = 2;
   bool verify = false, json = false, figures = false, keep_forces = false;
 };

@@ -11,14 +11,15 @@
 #include <thread>
 #include <vector>
 
-#include "experiments/analysis.hpp"
-#include "experiments/measure.hpp"
-#include "experiments/plan/plan.hpp"
-#include "experiments/run_campaign.hpp"
-#include "experiments/run_estimate.hpp"
-#include "experiments/run_files.hpp"
+#include "experiments/numerics/plan/plan.hpp"
+#include "experiments/quantities/analysis.hpp"
+#include "experiments/runs/measure.hpp"
+#include "experiments/runs/run_campaign.hpp"
+#include "experiments/runs/run_estimate.hpp"
+#include "experiments/runs/run_files.hpp"
 #include "solver/coupling/drag_relaxation.hpp"
 #include "solver/scene/scene_file.hpp"
+#include "solver/support/folders.hpp"
 
 namespace slfb {
 namespace {
@@ -26,7 +27,7 @@ namespace {
 using nlohmann::json;
 
 constexpr const char* examples = R"(Examples:
-  slfb run experiments/scenes/6in5W.toml --dry-run        check the scene, show what it costs
+  slfb run experiments/peng_2014/scenes/6in5W.toml --dry-run        check the scene, show what it costs
   slfb run scene.toml --threads 2                         simulate
   slfb run scene.toml --plan auto                         simulate no more than V_2 and voidage need
   slfb run scene.toml --set "liquid.superficial_velocity=0.08 m/s" --set stage[2].repetitions=5
@@ -36,7 +37,7 @@ simulated twice, and a run that was interrupted goes on when the same command is
 
 struct Options {
   std::filesystem::path scene;
-  std::filesystem::path out = SLFB_BUILD_DIR;
+  std::filesystem::path out = build_folder();
   int threads = 1;
   Overrides overrides;
   bool planned = false, keep_forces = false;

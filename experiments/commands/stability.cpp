@@ -15,9 +15,10 @@
 #include <vector>
 
 #include "experiments/commands/above_zero.hpp"
-#include "experiments/stability/map.hpp"
-#include "experiments/stability/map_chart.hpp"
-#include "experiments/stop_signals.hpp"
+#include "experiments/numerics/stability/map.hpp"
+#include "experiments/numerics/stability/map_chart.hpp"
+#include "experiments/runs/stop_signals.hpp"
+#include "solver/support/folders.hpp"
 
 namespace slfb {
 namespace {
@@ -42,13 +43,13 @@ Examples:
   slfb stability --no-run                   draw what exists
 
 Every trial is kept in DIR/trials: Ctrl-C loses nothing. The maps lie in DIR/stability: stability-MAP.svg/.png/.pdf, a CSV
-per method, MAP.json with brackets and diagnoses. Maps are files in experiments/stability/maps; a new one needs no code
-(experiments/stability/README.md).)";
+per method, MAP.json with brackets and diagnoses. Maps are files in experiments/numerics/stability/maps; a new one needs no code
+(experiments/numerics/stability/README.md).)";
 
 struct Options {
   std::vector<std::string> maps;
   std::string set = "quick";
-  fs::path out = SLFB_BUILD_DIR;
+  fs::path out = build_folder();
   int jobs = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
   bool list = false, no_run = false, publish = false;
 };
@@ -171,7 +172,8 @@ void add_stability_command(CLI::App& app) {
       ->capture_default_str();
   command->add_flag("--list", options->list, "Show the maps and their criteria");
   command->add_flag("--no-run", options->no_run, "Compute nothing, draw what exists");
-  command->add_flag("--publish", options->publish, "Write the boundaries to experiments/stability/results too");
+  command->add_flag("--publish", options->publish,
+                    "Write the boundaries to experiments/numerics/stability/results too");
   command->footer(examples);
   command->callback([options] {
     if (const int status = run(*options); status != 0) throw CLI::RuntimeError(status);

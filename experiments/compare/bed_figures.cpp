@@ -7,10 +7,11 @@
 
 #include "correlations/collision/collision_frequency/simonin_1991.hpp"
 #include "correlations/collision/radial_distribution/lun_savage_1986.hpp"
-#include "experiments/fig25_collision_force/fig25.hpp"
-#include "experiments/figure_support.hpp"
-#include "experiments/measure.hpp"
-#include "experiments/reference_data.hpp"
+#include "experiments/figures/figure_support.hpp"
+#include "experiments/peng_2014/fig25_collision_force/collision_force_laws.hpp"
+#include "experiments/peng_2014/figures.hpp"
+#include "experiments/reference/reference_data.hpp"
+#include "experiments/runs/measure.hpp"
 #include "reports/gnuplot.hpp"
 
 namespace slfb::compare {

@@ -7,8 +7,8 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "experiments/measure.hpp"
-#include "experiments/run_files.hpp"
+#include "experiments/runs/measure.hpp"
+#include "experiments/runs/run_files.hpp"
 
 namespace slfb::compare {
 namespace {

@@ -4,9 +4,9 @@
 #include <string>
 #include <vector>
 
-#include "experiments/campaign.hpp"
-#include "experiments/claims.hpp"
-#include "experiments/run_campaign.hpp"
+#include "experiments/claims/claims.hpp"
+#include "experiments/runs/campaign.hpp"
+#include "experiments/runs/run_campaign.hpp"
 
 /// The part of a comparison that does not care what is compared: the same simulations with one value of the scene
 /// exchanged, and the paper's claims side by side.

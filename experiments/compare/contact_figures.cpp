@@ -8,9 +8,9 @@
 
 #include "correlations/collision/restitution/barnocky_davis_1988.hpp"
 #include "correlations/collision/restitution/legendre_2005.hpp"
-#include "experiments/figure_support.hpp"
-#include "experiments/paper_conditions.hpp"
-#include "experiments/reference_data.hpp"
+#include "experiments/figures/figure_support.hpp"
+#include "experiments/peng_2014/paper_conditions.hpp"
+#include "experiments/reference/reference_data.hpp"
 
 namespace slfb::compare {
 namespace {

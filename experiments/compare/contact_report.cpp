@@ -9,7 +9,7 @@
 #include "experiments/compare/bed_figures.hpp"
 #include "experiments/compare/contact_figures.hpp"
 #include "reports/html.hpp"
-#include "solver/user_law.hpp"
+#include "solver/laws/user_law.hpp"
 
 namespace slfb::compare {
 namespace {

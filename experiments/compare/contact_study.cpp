@@ -14,13 +14,13 @@
 #include <stdexcept>
 #include <tuple>
 
-#include "experiments/figure_support.hpp"
-#include "experiments/paper_conditions.hpp"
-#include "experiments/run_files.hpp"
-#include "solver/coupling/forces/lubrication.hpp"
+#include "experiments/figures/figure_support.hpp"
+#include "experiments/peng_2014/paper_conditions.hpp"
+#include "experiments/runs/run_files.hpp"
 #include "solver/dem/engine.hpp"
 #include "solver/dem/hertz_mindlin.hpp"
-#include "solver/user_law.hpp"
+#include "solver/dem/lubrication.hpp"
+#include "solver/laws/user_law.hpp"
 
 namespace slfb::compare {
 namespace {

@@ -5,9 +5,9 @@
 #include <vector>
 
 #include "correlations/materials.hpp"
-#include "experiments/campaign.hpp"
 #include "experiments/compare/property_check.hpp"
-#include "experiments/measurement.hpp"
+#include "experiments/quantities/measurement.hpp"
+#include "experiments/runs/campaign.hpp"
 #include "solver/dem/contact_law.hpp"
 
 /// What a contact law makes of two bodies that meet, before any bed is simulated. The particle engine moves them.

@@ -7,10 +7,10 @@
 #include <limits>
 
 #include "correlations/drag/drag_laws.hpp"
-#include "experiments/measure.hpp"
-#include "experiments/paper_conditions.hpp"
+#include "experiments/peng_2014/paper_conditions.hpp"
+#include "experiments/runs/measure.hpp"
 #include "reports/gnuplot.hpp"
-#include "solver/user_law.hpp"
+#include "solver/laws/user_law.hpp"
 
 namespace slfb::compare {
 namespace {

@@ -7,9 +7,9 @@
 
 #include "correlations/drag/drag_laws.hpp"
 #include "experiments/compare/drag_figures.hpp"
-#include "experiments/paper_conditions.hpp"
+#include "experiments/peng_2014/paper_conditions.hpp"
 #include "reports/html.hpp"
-#include "solver/user_law.hpp"
+#include "solver/laws/user_law.hpp"
 
 namespace slfb::compare {
 namespace {

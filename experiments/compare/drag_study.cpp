@@ -13,10 +13,10 @@
 #include "correlations/classification/force_balance.hpp"
 #include "correlations/drag/single_sphere/brown_lawler_2003.hpp"
 #include "correlations/fluidisation/bed_expansion.hpp"
-#include "experiments/figure_support.hpp"
-#include "experiments/measure.hpp"
-#include "experiments/paper_conditions.hpp"
-#include "solver/user_law.hpp"
+#include "experiments/figures/figure_support.hpp"
+#include "experiments/peng_2014/paper_conditions.hpp"
+#include "experiments/runs/measure.hpp"
+#include "solver/laws/user_law.hpp"
 
 namespace slfb::compare {
 namespace {

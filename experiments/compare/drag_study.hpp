@@ -5,7 +5,7 @@
 
 #include "correlations/drag/drag_law_kernels.hpp"
 #include "experiments/compare/property_check.hpp"
-#include "experiments/measurement.hpp"
+#include "experiments/quantities/measurement.hpp"
 
 /// What a drag law says before anything is simulated: its surface, its properties, and the homogeneous bed it makes.
 namespace slfb::compare {

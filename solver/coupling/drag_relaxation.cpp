@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "solver/user_law.hpp"
+#include "solver/laws/user_law.hpp"
 
 namespace slfb::coupling {
 

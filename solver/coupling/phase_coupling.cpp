@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "solver/stopwatch.hpp"
-#include "solver/user_law.hpp"
+#include "solver/laws/user_law.hpp"
+#include "solver/support/stopwatch.hpp"
 
 namespace slfb::coupling {
 namespace {

@@ -9,7 +9,7 @@
 #include <tuple>
 #include <utility>
 
-#include "solver/user_law.hpp"
+#include "solver/laws/user_law.hpp"
 
 namespace slfb::dem {
 namespace {

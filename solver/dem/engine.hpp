@@ -7,11 +7,11 @@
 #include <stdexcept>
 #include <vector>
 
-#include "solver/coupling/forces/lubrication.hpp"
 #include "solver/dem/cell_search.hpp"
 #include "solver/dem/collision_statistics.hpp"
 #include "solver/dem/contact_law.hpp"
 #include "solver/dem/integrators.hpp"
+#include "solver/dem/lubrication.hpp"
 #include "solver/dem/particles.hpp"
 #include "solver/dem/walls.hpp"
 

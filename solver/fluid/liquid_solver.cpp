@@ -8,7 +8,7 @@
 #include <cstring>
 #include <utility>
 
-#include "solver/stopwatch.hpp"
+#include "solver/support/stopwatch.hpp"
 
 namespace slfb::fluid {
 namespace {

@@ -60,7 +60,7 @@ enum class Integrator { symplectic_euler, velocity_verlet, position_verlet, gear
 
 /// Soft-sphere contact, the same for all pairs and walls (Peng 2014, Table 1).
 struct Contact {
-  std::string law = "linear";     ///< "linear", "hertz", or a C++ file (solver/user_law.hpp)
+  std::string law = "linear";     ///< "linear", "hertz", or a C++ file (solver/laws/user_law.hpp)
   double stiffness = 0.0;         ///< linear: k_n [N/m]
   double youngs_modulus = 0.0;    ///< hertz: E [Pa]
   double poisson_ratio = 0.25;    ///< hertz: ν [-]

@@ -10,9 +10,9 @@
 
 #include "correlations/drag/drag_laws.hpp"
 #include "solver/dem/contact_laws.hpp"
+#include "solver/laws/user_law.hpp"
 #include "solver/scene/scene_description.hpp"
 #include "solver/scene/scene_file.hpp"
-#include "solver/user_law.hpp"
 
 namespace slfb::description {
 namespace {

@@ -15,10 +15,10 @@
 #include <sstream>
 #include <utility>
 
-#include "solver/close_names.hpp"
+#include "solver/laws/user_law.hpp"
 #include "solver/scene/scene_checks.hpp"
 #include "solver/scene/scene_description.hpp"
-#include "solver/user_law.hpp"
+#include "solver/support/close_names.hpp"
 
 namespace slfb {
 namespace {

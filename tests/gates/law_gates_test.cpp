@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <string>
 
-#include "experiments/claims.hpp"
-#include "experiments/measure.hpp"
+#include "experiments/claims/claims.hpp"
+#include "experiments/runs/measure.hpp"
 
 namespace slfb {
 namespace {

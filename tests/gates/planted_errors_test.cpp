@@ -8,16 +8,17 @@
 #include <string>
 #include <utility>
 
-#include "experiments/claims.hpp"
-#include "experiments/measure.hpp"
-#include "experiments/probes.hpp"
+#include "experiments/claims/claims.hpp"
+#include "experiments/peng_2014/probes.hpp"
+#include "experiments/runs/measure.hpp"
 #include "solver/scene/scene_file.hpp"
+#include "solver/support/folders.hpp"
 
 namespace slfb {
 namespace {
 
 std::set<std::string> broken_gates(const Overrides& planted) {
-  const auto scene = std::filesystem::path(SLFB_SOURCE_DIR) / "experiments/scenes/6in5W.toml";
+  const auto scene = source_folder() / "experiments/peng_2014/scenes/6in5W.toml";
   Measurements measurements = measure_laws();
   measurements.merge(measure_probes(load_scene(scene, planted)));
   std::set<std::string> broken;

@@ -9,12 +9,13 @@
 
 #include "correlations/drag/wen_yu_1966.hpp"
 #include "correlations/fluidisation/bed_expansion.hpp"
-#include "experiments/figure.hpp"
-#include "experiments/frontier/study.hpp"
-#include "experiments/measure.hpp"
-#include "experiments/plan/figure_plans.hpp"
-#include "experiments/plan/plan.hpp"
-#include "experiments/stability/map.hpp"
+#include "experiments/figures/figure.hpp"
+#include "experiments/numerics/frontier/study.hpp"
+#include "experiments/numerics/plan/plan.hpp"
+#include "experiments/numerics/stability/map.hpp"
+#include "experiments/peng_2014/planned_figures/figure_plans.hpp"
+#include "experiments/runs/measure.hpp"
+#include "solver/support/folders.hpp"
 
 namespace slfb {
 namespace {
@@ -38,7 +39,7 @@ class Store {
 };
 
 stability::Map map_named(const std::string& id) {
-  return stability::load_map(fs::path(SLFB_SOURCE_DIR) / "experiments/stability/maps" / (id + ".toml"),
+  return stability::load_map(source_folder() / "experiments/numerics/stability/maps" / (id + ".toml"),
                              stability::Set::quick);
 }
 
@@ -91,7 +92,7 @@ TEST(StabilityGate, HomogeneousBedsEndAtTheJumpOfTheDragLaw) {
 // The terminal velocity of a sphere alone is planned as an ODE, and CVODE ends where drag and weight balance:
 // C_D = 24/Re (1 + 0.15 Re^0.687) up to Re = 1000, 0.44 beyond, the root taken here by its own iteration.
 TEST(PlanGate, TerminalVelocityIsAnOrdinaryDifferentialEquation) {
-  const Scene scene = load_scene(fs::path(SLFB_SOURCE_DIR) / "experiments/scenes/single_sphere.toml");
+  const Scene scene = load_scene(source_folder() / "experiments/scenes/single_sphere.toml");
   const auto made = plan::make_plan(scene, {"terminal_velocity"}, plan::load_rules());
   ASSERT_TRUE(made.by_formula);
   EXPECT_NE(made.decisions.front().choice.find("CVODE"), std::string::npos);
@@ -109,14 +110,14 @@ TEST(PlanGate, TerminalVelocityIsAnOrdinaryDifferentialEquation) {
 // column and for voidage and force balance, which one dimension misses by more than their bands; a soft spring for V_2,
 // the scene's own for peak forces and counted collisions.
 TEST(PlanGate, ChoosesNoMoreThanTheQuestionNeeds) {
-  const Scene scene = load_scene(fs::path(SLFB_SOURCE_DIR) / "experiments/scenes/6in5W.toml");
+  const Scene scene = load_scene(source_folder() / "experiments/peng_2014/scenes/6in5W.toml");
   const auto rules = plan::load_rules();
   EXPECT_TRUE(plan::make_plan(scene, {"minimum_fluidisation_velocity"}, rules).by_formula);
   const auto planned = [&](const std::string& quantity) {
     return plan::changed(scene, plan::make_plan(scene, {quantity}, rules).overrides);
   };
   EXPECT_EQ(planned("voidage").fluid.tier, FluidTier::three_dimensional);
-  const Scene slice = load_scene(fs::path(SLFB_SOURCE_DIR) / "experiments/scenes/6in5W_one-dimensional.toml");
+  const Scene slice = load_scene(source_folder() / "experiments/peng_2014/scenes/6in5W_one-dimensional.toml");
   EXPECT_EQ(plan::changed(slice, plan::make_plan(slice, {"collision_frequency"}, rules).overrides).fluid.tier,
             FluidTier::one_dimensional);
   EXPECT_EQ(planned("force_ratio").fluid.tier, FluidTier::three_dimensional);
@@ -168,7 +169,7 @@ TEST(PlanGate, ASoftSpringKeepsSpeedsAndLosesPeakForces) {
   EXPECT_NEAR(soft.at("restitution").value, stiff.at("restitution").value, 1e-3);
   const double ratio = soft.at("peak_overlap").value * 1e3 / (stiff.at("peak_overlap").value * 1e4);
   EXPECT_NEAR(ratio, std::sqrt(0.1), 0.005);
-  const Scene scene = load_scene(fs::path(SLFB_SOURCE_DIR) / "experiments/scenes/6in5W.toml");
+  const Scene scene = load_scene(source_folder() / "experiments/peng_2014/scenes/6in5W.toml");
   const auto rules = plan::load_rules();
   ASSERT_GT(1.0 - ratio, rules.bands.at("peak_force"));
   const auto stiffness_for = [&](const char* quantity) {
@@ -197,7 +198,7 @@ TEST(PlanGate, OneDimensionalLiquidCarriesTheBed) {
 // Two choices that are each inside the band of 15 % and together outside: the coarser one that can be bettered gives
 // way.
 TEST(PlanGate, ErrorsThatAddUpTakeARicherChoice) {
-  const Scene scene = load_scene(fs::path(SLFB_SOURCE_DIR) / "experiments/scenes/6in5W.toml");
+  const Scene scene = load_scene(source_folder() / "experiments/peng_2014/scenes/6in5W.toml");
   const auto rule = [](const char* subject, const char* choice, double error, std::vector<std::string> set) {
     plan::Rule one;
     one.subject = subject;
@@ -219,7 +220,7 @@ TEST(PlanGate, ErrorsThatAddUpTakeARicherChoice) {
 // A paper that leaves added mass out is reproduced without it, whatever that changes; asked without the paper in mind,
 // the plan may find that the voidage needs it.
 TEST(PlanGate, ForcesOfTheSceneStay) {
-  const Scene scene = load_scene(fs::path(SLFB_SOURCE_DIR) / "experiments/scenes/6in5W.toml");
+  const Scene scene = load_scene(source_folder() / "experiments/peng_2014/scenes/6in5W.toml");
   plan::Rules rules;
   rules.forces = {"added mass"};
   rules.bands["voidage"] = 0.02;
@@ -267,7 +268,7 @@ TEST(PlanGate, EffectsAreThoseOfTheStudies) {
 TEST(PlanGate, CellsHoldTheSphereThatFalls) {
   const auto rules = plan::load_rules();
   for (const RunSpec& run : load_profile("full").runs) {
-    const Scene scene = load_scene(fs::path(SLFB_SOURCE_DIR) / "experiments/scenes" / run.scene, run.overrides);
+    const Scene scene = load_scene(source_folder() / "experiments/peng_2014/scenes" / run.scene, run.overrides);
     for (const char* quantity : {"classification_velocity", "force_ratio", "collision_frequency"}) {
       const auto made = plan::make_plan(scene, {quantity}, rules);
       double largest = 0.0;
@@ -276,7 +277,7 @@ TEST(PlanGate, CellsHoldTheSphereThatFalls) {
     }
   }
   const auto share_of_band = [&](const char* velocity) {
-    const Scene scene = load_scene(fs::path(SLFB_SOURCE_DIR) / "experiments/scenes/6in5W.toml", {velocity});
+    const Scene scene = load_scene(source_folder() / "experiments/peng_2014/scenes/6in5W.toml", {velocity});
     const auto made = plan::make_plan(scene, {"classification_velocity"}, rules);
     return made.effect.at("classification_velocity") / made.band.at("classification_velocity");
   };
@@ -289,7 +290,7 @@ TEST(PlanGate, ProfileQuickIsPlanned) {
   const auto rules = plan::load_rules();
   for (const RunSpec& run : load_profile("quick").runs) {
     if (!run.variant.empty()) continue;
-    const fs::path file = fs::path(SLFB_SOURCE_DIR) / "experiments/scenes" / run.scene;
+    const fs::path file = source_folder() / "experiments/peng_2014/scenes" / run.scene;
     const Scene paper = load_scene(file, {fmt::format("liquid.superficial_velocity={} m/s", run.superficial_velocity)});
     const Scene planned = plan::changed(
         paper, plan::make_plan(paper, {"classification_velocity", "voidage", "pressure_drop", "force_ratio"}, rules,
@@ -316,12 +317,12 @@ TEST(PlanGate, EveryFigureIsPlanned) {
 }
 
 TEST(PlanGate, RefusesUnknownQuantities) {
-  const Scene scene = load_scene(fs::path(SLFB_SOURCE_DIR) / "experiments/scenes/6in5W.toml");
+  const Scene scene = load_scene(source_folder() / "experiments/peng_2014/scenes/6in5W.toml");
   EXPECT_THROW(plan::make_plan(scene, {"colour"}, plan::load_rules()), std::invalid_argument);
 }
 
 TEST(PlanGate, RefusesSpheresThatDoNotSink) {
-  const Scene scene = load_scene(fs::path(SLFB_SOURCE_DIR) / "experiments/scenes/6in5W.toml", {"liquid.density=2230"});
+  const Scene scene = load_scene(source_folder() / "experiments/peng_2014/scenes/6in5W.toml", {"liquid.density=2230"});
   try {
     plan::make_plan(scene, {"voidage"}, plan::load_rules());
     FAIL() << "no error";

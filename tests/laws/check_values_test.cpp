@@ -13,7 +13,7 @@
 namespace slfb {
 namespace {
 
-const std::filesystem::path folder = SLFB_SOURCE_DIR "/reference-data/law-checks";
+const std::filesystem::path folder = SLFB_SOURCE_DIR "/reference-data/law_checks";
 
 TEST(CheckValues, EveryLawGivesItsCheckValues) {
   for (const CheckValue& check : read_check_values(folder)) {

@@ -1,10 +1,10 @@
 #!/usr/bin/env python3
 """Check values of the laws from the Python library fluids (Debian package python3-fluids, 1.0.22).
 
-The numbers go to reference-data/law-checks/fluids.csv, which the tests read, so that neither building nor testing needs
+The numbers go to reference-data/law_checks/fluids.csv, which the tests read, so that neither building nor testing needs
 the library:
 
-    tests/oracles/fluids_values.py > reference-data/law-checks/fluids.csv
+    tests/oracles/fluids_values.py > reference-data/law_checks/fluids.csv
 """
 import fluids
 from fluids.drag import Clift_Gauvin, Haider_Levenspiel, v_terminal

@@ -3,10 +3,10 @@
 
 Every law is written here once more, in another language and in the form and normalisation of its source (pressure
 drop, exchange coefficient or drag coefficient, with the source's own Reynolds number), from the literature and not
-from the C++ headers. The numbers go to reference-data/law-checks/second_program.csv, which the tests read; running
+from the C++ headers. The numbers go to reference-data/law_checks/second_program.csv, which the tests read; running
 this again is needed only for new points:
 
-    tests/oracles/second_program.py > reference-data/law-checks/second_program.csv
+    tests/oracles/second_program.py > reference-data/law_checks/second_program.csv
 """
 from math import atan, exp, inf, log, log10, pi, sqrt
 

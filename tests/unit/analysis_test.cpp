@@ -1,4 +1,4 @@
-#include "experiments/analysis.hpp"
+#include "experiments/quantities/analysis.hpp"
 
 #include <gtest/gtest.h>
 

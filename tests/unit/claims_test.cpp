@@ -1,4 +1,4 @@
-#include "experiments/claims.hpp"
+#include "experiments/claims/claims.hpp"
 
 #include <gtest/gtest.h>
 
@@ -15,9 +15,9 @@
 #include <string>
 #include <vector>
 
-#include "experiments/analysis.hpp"
-#include "experiments/measure.hpp"
-#include "experiments/reference_data.hpp"
+#include "experiments/quantities/analysis.hpp"
+#include "experiments/reference/reference_data.hpp"
+#include "experiments/runs/measure.hpp"
 
 namespace slfb {
 namespace {

@@ -18,10 +18,10 @@
 #include "correlations/drag/drag_laws.hpp"
 #include "experiments/compare/candidates.hpp"
 #include "experiments/compare/drag_study.hpp"
-#include "experiments/paper_conditions.hpp"
-#include "experiments/run_files.hpp"
+#include "experiments/peng_2014/paper_conditions.hpp"
+#include "experiments/runs/run_files.hpp"
+#include "solver/laws/user_law.hpp"
 #include "solver/scene/scene_file.hpp"
-#include "solver/user_law.hpp"
 #include "tests/unit/synthetic_runs.hpp"
 
 namespace slfb::compare {

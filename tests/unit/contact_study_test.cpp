@@ -11,10 +11,10 @@
 #include <string>
 #include <vector>
 
-#include "experiments/paper_conditions.hpp"
-#include "experiments/run_files.hpp"
+#include "experiments/peng_2014/paper_conditions.hpp"
+#include "experiments/runs/run_files.hpp"
 #include "solver/dem/hertz_mindlin.hpp"
-#include "solver/user_law.hpp"
+#include "solver/laws/user_law.hpp"
 
 namespace slfb::compare {
 namespace {

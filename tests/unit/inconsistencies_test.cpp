@@ -1,4 +1,4 @@
-#include "experiments/inconsistencies.hpp"
+#include "experiments/peng_2014/inconsistencies.hpp"
 
 #include <gtest/gtest.h>
 

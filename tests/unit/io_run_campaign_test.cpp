@@ -7,10 +7,10 @@
 #include <string>
 #include <vector>
 
-#include "experiments/run_campaign.hpp"
-#include "experiments/run_files.hpp"
-#include "experiments/run_lock.hpp"
-#include "experiments/stop_signals.hpp"
+#include "experiments/runs/run_campaign.hpp"
+#include "experiments/runs/run_files.hpp"
+#include "experiments/runs/run_lock.hpp"
+#include "experiments/runs/stop_signals.hpp"
 
 namespace slfb {
 namespace {

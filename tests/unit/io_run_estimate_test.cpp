@@ -4,7 +4,7 @@
 #include <limits>
 #include <numbers>
 
-#include "experiments/run_estimate.hpp"
+#include "experiments/runs/run_estimate.hpp"
 #include "tests/unit/synthetic_runs.hpp"
 
 namespace slfb {

@@ -1,4 +1,4 @@
-#include "experiments/measure.hpp"
+#include "experiments/runs/measure.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "experiments/measured_file.hpp"
+#include "experiments/claims/measured_file.hpp"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>

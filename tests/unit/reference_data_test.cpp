@@ -1,4 +1,4 @@
-#include "experiments/reference_data.hpp"
+#include "experiments/reference/reference_data.hpp"
 
 #include <gtest/gtest.h>
 
@@ -62,7 +62,7 @@ class ChangedData : public testing::Test {
     // Tests run side by side, each in its own folder.
     folder_ = std::filesystem::path(testing::TempDir()) / testing::UnitTest::GetInstance()->current_test_info()->name();
     std::filesystem::remove_all(folder_);
-    std::filesystem::copy(reference_data_folder() / "peng-2014", folder_);
+    std::filesystem::copy(reference_data_folder() / "peng_2014", folder_);
   }
   void TearDown() override { std::filesystem::remove_all(folder_); }
 

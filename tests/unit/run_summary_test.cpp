@@ -1,4 +1,4 @@
-#include "experiments/run_summary.hpp"
+#include "experiments/quantities/run_summary.hpp"
 
 #include <gtest/gtest.h>
 

@@ -8,12 +8,13 @@
 #include <sstream>
 #include <string>
 
-#include "experiments/campaign.hpp"
+#include "experiments/runs/campaign.hpp"
+#include "solver/support/folders.hpp"
 
 namespace slfb {
 namespace {
 
-const std::filesystem::path scenes = std::filesystem::path(SLFB_SOURCE_DIR) / "experiments" / "scenes";
+const std::filesystem::path scenes = source_folder() / "experiments" / "peng_2014" / "scenes";
 
 TEST(Scenes, OfTheSuiteAreValid) {
   for (const auto& entry : std::filesystem::directory_iterator(scenes)) {
@@ -22,7 +23,7 @@ TEST(Scenes, OfTheSuiteAreValid) {
 }
 
 TEST(Scenes, ReferenceTableNamesEveryKey) {
-  std::ifstream file(std::filesystem::path(SLFB_SOURCE_DIR) / "solver" / "scene" / "README.md");
+  std::ifstream file(source_folder() / "solver" / "scene" / "README.md");
   const std::string readme{std::istreambuf_iterator<char>(file), {}};
   for (const char* scene : {"6in5W.toml", "fluidised_box.toml"}) {
     std::istringstream canonical(canonical_toml(load_scene(scenes / scene)));

@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "experiments/campaign.hpp"
+#include "experiments/runs/campaign.hpp"
 
 /// Made-up runs with the shape of real ones, so that figures and the report can be tested without a simulation. None
 /// of these numbers is a result.

@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "experiments/run_campaign.hpp"
-#include "experiments/run_files.hpp"
+#include "experiments/runs/run_campaign.hpp"
+#include "experiments/runs/run_files.hpp"
 #include "solver/dem/engine.hpp"
 #include "solver/dem/linear_spring_dashpot.hpp"
 #include "solver/scene/scene_file.hpp"

@@ -7,14 +7,15 @@
 #include <sstream>
 #include <string>
 
-#include "solver/user_law.hpp"
+#include "solver/laws/user_law.hpp"
+#include "solver/support/folders.hpp"
 
 /// What the tests of laws from outside the suite share: a folder of their own and the templates in it.
 namespace slfb {
 
 /// The file that `slfb compare --template KIND` prints.
 inline std::string law_template(const std::string& kind) {
-  std::ifstream stream(std::filesystem::path(SLFB_SOURCE_DIR) / "experiments/compare/templates" / (kind + "_law.cpp"));
+  std::ifstream stream(source_folder() / "experiments/compare/templates" / (kind + "_law.cpp"));
   std::ostringstream text;
   text << stream.rdbuf();
   return text.str();

@@ -1,6 +1,6 @@
 // A law from outside the suite: compiled, loaded, and the same to the solver as a law of the suite.
 
-#include "solver/user_law.hpp"
+#include "solver/laws/user_law.hpp"
 
 #include <gtest/gtest.h>
 
@@ -9,8 +9,8 @@
 #include <string>
 
 #include "correlations/drag/wen_yu_1966.hpp"
-#include "experiments/run_campaign.hpp"
-#include "experiments/run_files.hpp"
+#include "experiments/runs/run_campaign.hpp"
+#include "experiments/runs/run_files.hpp"
 #include "tests/unit/user_law_files.hpp"
 
 namespace slfb {

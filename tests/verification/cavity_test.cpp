@@ -5,14 +5,15 @@
 #include <sstream>
 #include <string>
 
+#include "solver/support/folders.hpp"
 #include "tests/verification/liquid_cases.hpp"
 
 namespace slfb {
 namespace {
 
-/// Position and velocity of one column of a table of reference-data/ghia-1982.
+/// Position and velocity of one column of a table of reference-data/ghia_1982.
 std::vector<std::array<double, 2>> profile_of(const std::string& table, int reynolds) {
-  std::ifstream file(SLFB_SOURCE_DIR "/reference-data/ghia-1982/" + table);
+  std::ifstream file(source_folder() / "reference-data/ghia_1982" / table);
   std::vector<std::array<double, 2>> profile;
   std::size_t column = 0;
   for (std::string line; std::getline(file, line);) {
@@ -126,7 +127,7 @@ TEST(LidDrivenCavity, AgreesWithTheTablesOfGhia) {
     for (const auto& [height, expected] : horizontal)
       EXPECT_NEAR(interpolated(u, 0.0, 1.0, height), expected, c.band) << c.reynolds << ", height " << height;
     for (const auto& [distance, expected] : vertical) {
-      if (c.reynolds == 400 && distance == 0.9063) continue;  // a misprint: reference-data/ghia-1982/source.toml
+      if (c.reynolds == 400 && distance == 0.9063) continue;  // a misprint: reference-data/ghia_1982/source.toml
       EXPECT_NEAR(interpolated(v, 0.0, 0.0, distance), expected, c.band) << c.reynolds << ", distance " << distance;
     }
   }

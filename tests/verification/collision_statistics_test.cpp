@@ -13,7 +13,7 @@
 #include <random>
 
 #include "correlations/collision/collision_laws.hpp"
-#include "experiments/kinetic_theory/periodic_gas.hpp"
+#include "experiments/numerics/kinetic_theory/periodic_gas.hpp"
 #include "solver/dem/engine.hpp"
 #include "solver/dem/granular_temperature.hpp"
 #include "solver/dem/packing.hpp"

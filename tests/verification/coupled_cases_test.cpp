@@ -14,8 +14,8 @@
 #include "correlations/drag/wen_yu_1966.hpp"
 #include "correlations/fluidisation/terminal_velocity.hpp"
 #include "solver/dem/packing.hpp"
-#include "solver/one_particle.hpp"
-#include "solver/simulation.hpp"
+#include "solver/run/one_particle.hpp"
+#include "solver/run/simulation.hpp"
 #include "tests/verification/liquid_cases.hpp"
 
 namespace slfb {

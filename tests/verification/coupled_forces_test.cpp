@@ -6,8 +6,8 @@
 #include <numbers>
 
 #include "solver/coupling/forces/saffman_lift.hpp"
-#include "solver/one_particle.hpp"
-#include "solver/simulation.hpp"
+#include "solver/run/one_particle.hpp"
+#include "solver/run/simulation.hpp"
 #include "tests/verification/coupled_cases.hpp"
 #include "tests/verification/liquid_cases.hpp"
 

@@ -2,15 +2,15 @@
 #include <fmt/core.h>
 #include <gtest/gtest.h>
 
-#include "experiments/pressure_noise/noise_study.hpp"
+#include "experiments/numerics/pressure_noise/noise_study.hpp"
 
 namespace slfb {
 namespace {
 
-// The study of experiments/pressure_noise in small. Spheres that are cut exactly displace the liquid smoothly, so that
-// the pressure drop fluctuates about as much at steps of 1e-4 s as at 1e-3 s: by a half more in this small bed, by 30 %
-// in the study's; the longer step leaves out what collisions do within it. Of a sphere in pieces each piece that
-// crosses a face displaces its whole volume within a step, which shows the more the shorter the step is.
+// The study of experiments/numerics/pressure_noise in small. Spheres that are cut exactly displace the liquid smoothly,
+// so that the pressure drop fluctuates about as much at steps of 1e-4 s as at 1e-3 s: by a half more in this small bed,
+// by 30 % in the study's; the longer step leaves out what collisions do within it. Of a sphere in pieces each piece
+// that crosses a face displaces its whole volume within a step, which shows the more the shorter the step is.
 TEST(PressureNoise, DoesNotGrowAsTheStepShrinksWithTheDefaultScheme) {
   Scene scene = noise::study_scene();
   scene.geometry.diameter = 0.025;

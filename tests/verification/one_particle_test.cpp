@@ -1,5 +1,5 @@
 // The one-particle rung (SUNDIALS) against published terminal velocities, an exact solution, and the particle engine.
-#include "solver/one_particle.hpp"
+#include "solver/run/one_particle.hpp"
 
 #include <gtest/gtest.h>
 
@@ -16,6 +16,7 @@
 #include "correlations/fluidisation/terminal_velocity.hpp"
 #include "correlations/fluidisation/wall_correction/haberman_sayre_1958.hpp"
 #include "solver/coupling/phase_coupling.hpp"
+#include "solver/support/folders.hpp"
 
 namespace slfb {
 namespace {
@@ -105,7 +106,7 @@ struct TenCateExperiment {
 };
 
 std::vector<TenCateExperiment> ten_cate_experiments() {
-  std::ifstream file(SLFB_SOURCE_DIR "/reference-data/ten-cate-2002/table1.csv");
+  std::ifstream file(source_folder() / "reference-data/ten_cate_2002/table1.csv");
   std::vector<TenCateExperiment> experiments;
   for (std::string line; std::getline(file, line);) {
     if (!line.starts_with('E')) continue;

@@ -1,5 +1,5 @@
 // Whole runs of a small bed: reproducibility, resumption, conservation of spheres, the weight the liquid carries.
-#include "solver/simulation.hpp"
+#include "solver/run/simulation.hpp"
 
 #include <gtest/gtest.h>
 

@@ -6,7 +6,7 @@
 #include <numbers>
 #include <stdexcept>
 
-#include "experiments/fig01_void_fraction_schemes/scheme_study.hpp"
+#include "experiments/numerics/studies/scheme_study.hpp"
 
 namespace slfb::void_fraction_study {
 namespace {

@@ -1,5 +1,5 @@
 // Squeeze force against Brenner's exact series and against the integral of Reynolds' equation.
-#include "solver/coupling/forces/lubrication.hpp"
+#include "solver/dem/lubrication.hpp"
 
 #include <gtest/gtest.h>
 

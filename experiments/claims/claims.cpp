@@ -1,0 +1,594 @@
+#include "experiments/claims/claims.hpp"
+
+#include <fmt/format.h>
+#include <gsl/gsl_cdf.h>
+#include <toml++/toml.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <nlohmann/json.hpp>
+#include <pugixml.hpp>
+#include <set>
+#include <sstream>
+#include <stdexcept>
+
+#include "experiments/reference/reference_data.hpp"
+#include "experiments/runs/measure.hpp"
+
+namespace slfb {
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+/// One claim being read, with what an error message needs.
+class ClaimReader {
+ public:
+  ClaimReader(const toml::table& table, const std::filesystem::path& file) : table_(table), file_(file) {
+    for (const auto& [key, node] : table_) {
+      static const std::set<std::string_view> known{
+          "id",      "figure", "quantity", "unit",    "source",     "equals", "at_most",    "at_least",
+          "between", "trend",  "states",   "measure", "paper_band", "reduce", "regression", "undecidable"};
+      if (!known.contains(key.str())) fail(node, fmt::format("unknown key \"{}\"", key.str()));
+    }
+  }
+
+  Claim read() {
+    Claim claim;
+    claim.id = text(table_, "id");
+    claim.figure = text(table_, "figure");
+    claim.quantity = text(table_, "quantity");
+    claim.undecidable = text_or(table_, "undecidable", "");
+    read_statement(claim);
+    claim.unit = text_or(table_, "unit", claim.unit);
+    claim.source = text_or(table_, "source", claim.source);
+    if (claim.unit.empty()) fail(table_, "\"unit\" is missing and no reference value gives one");
+    if (claim.source.empty()) fail(table_, "\"source\" is missing and no reference value gives one");
+    read_measures(claim);
+    read_regression(claim);
+    return claim;
+  }
+
+ private:
+  [[noreturn]] void fail(const toml::node& node, const std::string& problem) const {
+    const auto id = table_["id"].value_or(std::string("?"));
+    throw std::runtime_error(fmt::format("{}:{}: claim {}: {}", file_.string(), node.source().begin.line, id, problem));
+  }
+
+  std::string text(const toml::table& table, std::string_view key) const {
+    const auto value = table[key].value<std::string>();
+    if (!value) fail(table, fmt::format("\"{}\" is missing or not a string", key));
+    return *value;
+  }
+
+  std::string text_or(const toml::table& table, std::string_view key, const std::string& otherwise) const {
+    return table.contains(key) ? text(table, key) : otherwise;
+  }
+
+  double number(const toml::table& table, std::string_view key) const {
+    const auto value = table[key].value<double>();
+    if (!value) fail(table, fmt::format("\"{}\" is missing or not a number", key));
+    return *value;
+  }
+
+  std::vector<std::string> texts(std::string_view key) const {
+    const toml::node& node = *table_.get(key);
+    if (const auto single = node.value<std::string>()) return {*single};
+    const toml::array* list = node.as_array();
+    if (list == nullptr || list->empty()) fail(node, fmt::format("\"{}\" is neither a string nor a list", key));
+    std::vector<std::string> values;
+    for (const toml::node& entry : *list) {
+      const auto value = entry.value<std::string>();
+      if (!value) fail(entry, fmt::format("\"{}\" holds something that is not a string", key));
+      values.push_back(*value);
+    }
+    return values;
+  }
+
+  const ReferenceValue& reference(const std::string& id) const {
+    try {
+      return peng_2014().at(id);
+    } catch (const std::out_of_range& error) {
+      fail(table_, error.what());
+    }
+  }
+
+  /// Relative or absolute half-width of a band around `value`.
+  double tolerance(const toml::table& band, double value) const {
+    if (band.contains("relative") == band.contains("absolute")) {
+      fail(band, "a band needs either \"relative\" or \"absolute\"");
+    }
+    const double width =
+        band.contains("relative") ? number(band, "relative") * std::abs(value) : number(band, "absolute");
+    if (!(width >= 0.0)) fail(band, "a band cannot be negative");
+    return width;
+  }
+
+  void read_statement(Claim& claim) const {
+    static constexpr std::array<std::pair<std::string_view, StatementKind>, 4> kinds{{
+        {"equals", StatementKind::value},
+        {"at_most", StatementKind::at_most},
+        {"at_least", StatementKind::at_least},
+        {"between", StatementKind::between},
+    }};
+    const auto given =
+        std::count_if(kinds.begin(), kinds.end(), [&](const auto& kind) { return table_.contains(kind.first); }) +
+        (table_.contains("trend") ? 1 : 0) + (table_.contains("states") ? 1 : 0);
+    if (given != 1) fail(table_, "needs exactly one of equals, at_most, at_least, between, trend, states");
+    if (table_.contains("states")) {
+      claim.kind = StatementKind::words;
+      claim.words = text(table_, "states");
+      if (claim.undecidable.empty()) fail(table_, "words without a number need \"undecidable\"");
+      return;
+    }
+
+    if (table_.contains("trend")) {
+      const std::string trend = text(table_, "trend");
+      if (trend != "increasing" && trend != "decreasing") fail(table_, "trend is \"increasing\" or \"decreasing\"");
+      claim.kind = trend == "increasing" ? StatementKind::increasing : StatementKind::decreasing;
+      if (table_.contains("paper_band")) fail(table_, "a trend has no paper_band");
+      return;
+    }
+    const auto& [key, kind] =
+        *std::find_if(kinds.begin(), kinds.end(), [&](const auto& entry) { return table_.contains(entry.first); });
+    claim.kind = kind;
+    const auto ids = texts(key);
+    if (ids.size() != (kind == StatementKind::between ? 2u : 1u)) fail(table_, "wrong number of reference values");
+    const ReferenceValue& first = reference(ids.front());
+    const ReferenceValue& last = reference(ids.back());
+    claim.paper = first.value;
+    claim.paper_upper = last.value;
+    claim.unit = first.unit;
+    claim.source = first.source;
+
+    const toml::table* band = table_["paper_band"].as_table();
+    if (band == nullptr) fail(table_, "\"paper_band\" is missing");
+    claim.band_reason = text(*band, "why");
+    const bool open_below = kind == StatementKind::at_most;
+    const bool open_above = kind == StatementKind::at_least;
+    claim.paper_band = Band{open_below ? -infinity : first.value - tolerance(*band, first.value),
+                            open_above ? infinity : last.value + tolerance(*band, last.value)};
+  }
+
+  void read_measures(Claim& claim) const {
+    static constexpr std::array<std::pair<std::string_view, Reduction>, 5> reductions{{
+        {"largest", Reduction::largest},
+        {"smallest", Reduction::smallest},
+        {"largest_magnitude", Reduction::largest_magnitude},
+        {"ratio", Reduction::ratio},
+        {"relative_spread", Reduction::relative_spread},
+    }};
+    if (table_.contains("measure")) {
+      claim.measures = texts("measure");
+    } else if (claim.undecidable.empty()) {
+      fail(table_, "\"measure\" is missing");
+    }
+    if (table_.contains("reduce")) {
+      const std::string name = text(table_, "reduce");
+      const auto found =
+          std::find_if(reductions.begin(), reductions.end(), [&](const auto& entry) { return entry.first == name; });
+      if (found == reductions.end()) fail(table_, fmt::format("unknown reduction \"{}\"", name));
+      claim.reduction = found->second;
+    }
+    const bool trend = claim.kind == StatementKind::increasing || claim.kind == StatementKind::decreasing;
+    const bool several = claim.measures.size() > 1 || (!claim.measures.empty() && claim.measures[0].ends_with("/*"));
+    if (several && !trend && claim.reduction == Reduction::single) fail(table_, "several measures need \"reduce\"");
+    if (trend && claim.undecidable.empty() && claim.measures.size() < 2) fail(table_, "a trend needs two measures");
+    if (claim.reduction == Reduction::ratio && claim.measures.size() != 2) fail(table_, "a ratio needs two measures");
+  }
+
+  void read_regression(Claim& claim) const {
+    if (!table_.contains("regression")) return;
+    const toml::table* band = table_["regression"].as_table();
+    if (band == nullptr) fail(table_, "\"regression\" is not a table");
+    const double accepted = number(*band, "value");
+    const double width = tolerance(*band, accepted);
+    claim.regression_band = Band{accepted - width, accepted + width};
+    claim.regression_reason = text(*band, "why");
+  }
+
+  const toml::table& table_;
+  const std::filesystem::path& file_;
+};
+
+/// "quantity/system/*" as the keys it stands for: every U_L of the system, without variants.
+std::vector<std::string> expand(const std::string& key, const Measurements& measurements) {
+  if (!key.ends_with("/*")) return {key};
+  const std::string stem = key.substr(0, key.size() - 1);
+  std::vector<std::string> keys;
+  for (auto entry = measurements.lower_bound(stem); entry != measurements.end() && entry->first.starts_with(stem);
+       ++entry) {
+    if (entry->first.find('/', stem.size()) == std::string::npos) keys.push_back(entry->first);
+  }
+  return keys;
+}
+
+bool is_trend(const Claim& claim) {
+  return claim.kind == StatementKind::increasing || claim.kind == StatementKind::decreasing;
+}
+
+/// Several measurements as one number with its half-width.
+Measurement reduce(Reduction reduction, const std::vector<Measurement>& values) {
+  const auto by_value = [](const Measurement& a, const Measurement& b) { return a.value < b.value; };
+  const auto by_magnitude = [](const Measurement& a, const Measurement& b) {
+    return std::abs(a.value) < std::abs(b.value);
+  };
+  switch (reduction) {
+    case Reduction::single:
+      return values.front();
+    case Reduction::largest:
+      return *std::max_element(values.begin(), values.end(), by_value);
+    case Reduction::smallest:
+      return *std::min_element(values.begin(), values.end(), by_value);
+    case Reduction::largest_magnitude: {
+      Measurement result = *std::max_element(values.begin(), values.end(), by_magnitude);
+      result.value = std::abs(result.value);
+      return result;
+    }
+    case Reduction::ratio: {
+      Measurement result = values[0];
+      result.value = values[0].value / values[1].value;
+      result.half_width = std::abs(result.value) *
+                          std::hypot(values[0].half_width / values[0].value, values[1].half_width / values[1].value);
+      return result;
+    }
+    case Reduction::relative_spread: {
+      const auto [lowest, highest] = std::minmax_element(values.begin(), values.end(), by_value);
+      double sum = 0.0;
+      for (const Measurement& value : values) sum += value.value;
+      const double mean = sum / static_cast<double>(values.size());
+      Measurement result = *highest;
+      result.value = (highest->value - lowest->value) / mean;
+      result.half_width = std::hypot(highest->half_width, lowest->half_width) / mean;
+      return result;
+    }
+  }
+  throw std::logic_error("reduce: unknown reduction");
+}
+
+/// Change from the first measurement to the last, and the verdict of the rule in reference-data/README.md.
+void judge_trend(Evaluation& evaluation, const std::vector<Measurement>& values) {
+  const double sign = evaluation.claim.kind == StatementKind::increasing ? 1.0 : -1.0;
+  const double change = values.back().value - values.front().value;
+  const double half_width = std::hypot(values.back().half_width, values.front().half_width);
+  evaluation.ours = change;
+  if (std::any_of(values.begin(), values.end(), [](const Measurement& m) { return std::isnan(m.half_width); })) {
+    evaluation.reason = "one sample only, so no interval";
+    return;
+  }
+  evaluation.interval = {change - half_width, change + half_width};
+  for (std::size_t i = 1; i < values.size(); ++i) {
+    const double step = sign * (values[i].value - values[i - 1].value);
+    if (step < -std::hypot(values[i].half_width, values[i - 1].half_width)) {
+      evaluation.verdict = Verdict::not_reproduced;
+      evaluation.reason = fmt::format("from {} to {} the change is in the other direction",
+                                      evaluation.claim.measures[i - 1], evaluation.claim.measures[i]);
+      return;
+    }
+  }
+  if (sign * change > half_width) {
+    evaluation.verdict = Verdict::reproduced;
+    evaluation.reason = "no step goes the other way beyond its interval";
+  } else if (half_width == 0.0) {
+    evaluation.verdict = Verdict::not_reproduced;
+    evaluation.reason = "there is no change";
+  } else {
+    evaluation.reason = "the change is smaller than its interval";
+  }
+}
+
+std::optional<double> deviation_of(const Claim& claim, double ours) {
+  const auto relative = [&](double reference) -> std::optional<double> {
+    if (reference == 0.0) return std::nullopt;
+    return (ours - reference) / std::abs(reference);
+  };
+  switch (claim.kind) {
+    case StatementKind::value:
+      return relative(claim.paper);
+    case StatementKind::at_most:
+      return ours <= claim.paper ? 0.0 : relative(claim.paper);
+    case StatementKind::at_least:
+      return ours >= claim.paper ? 0.0 : relative(claim.paper);
+    case StatementKind::between:
+      if (ours < claim.paper) return relative(claim.paper);
+      return ours > claim.paper_upper ? relative(claim.paper_upper) : 0.0;
+    case StatementKind::increasing:
+    case StatementKind::decreasing:
+    case StatementKind::words:
+      return std::nullopt;
+  }
+  throw std::logic_error("deviation_of: unknown statement");
+}
+
+void judge_band(Evaluation& evaluation, const Measurement& measurement) {
+  const Band band = *evaluation.claim.paper_band;
+  evaluation.ours = measurement.value;
+  evaluation.deviation = deviation_of(evaluation.claim, measurement.value);
+  const bool inside = band.contains(measurement.value);
+  if (std::isnan(measurement.half_width)) {
+    evaluation.reason =
+        fmt::format("one sample only, so no interval; the value lies {} the band", inside ? "inside" : "outside");
+    return;
+  }
+  const double lower = measurement.value - measurement.half_width;
+  const double upper = measurement.value + measurement.half_width;
+  evaluation.interval = {lower, upper};
+  if (band.contains(lower) && band.contains(upper)) {
+    evaluation.verdict = Verdict::reproduced;
+    evaluation.reason = measurement.half_width > 0.0 ? "the whole interval lies in the band" : "inside the band";
+  } else if (upper < band.lower || lower > band.upper) {
+    evaluation.verdict = Verdict::not_reproduced;
+    evaluation.reason = measurement.half_width > 0.0 ? "the whole interval lies outside the band" : "outside the band";
+  } else {
+    evaluation.reason = "the interval straddles the edge of the band: more samples are needed";
+  }
+}
+
+void judge_gate(Evaluation& evaluation) {
+  const auto& band = evaluation.claim.regression_band;
+  if (!band) return;
+  if (!evaluation.ours) {
+    // A law answers at once on every machine, so a missing answer is a fault; a run may simply not exist yet.
+    const auto& keys = evaluation.claim.measures;
+    if (std::none_of(keys.begin(), keys.end(), [](const std::string& key) { return needs_run(key); })) {
+      evaluation.gate = Gate::broken;
+      evaluation.reason += "; a measure that needs no run must exist";
+    }
+    return;
+  }
+  evaluation.gate = band->contains(*evaluation.ours) ? Gate::holds : Gate::broken;
+  if (evaluation.gate == Gate::broken) {
+    evaluation.reason +=
+        fmt::format("; {:.6g} is outside the accepted {:.6g} … {:.6g}", *evaluation.ours, band->lower, band->upper);
+  }
+}
+
+bool of_both(const std::vector<Measurement>& values, Springs one, Springs other) {
+  return std::ranges::count(values, one, &Measurement::springs) > 0 &&
+         std::ranges::count(values, other, &Measurement::springs) > 0;
+}
+
+/// Why a measure is missing: its run is, or the run is there and has no such number; or no run is near its voidage.
+std::string missing_text(const std::string& measure, const Measurements& measurements) {
+  if (!needs_run(measure)) return "not yet measured: " + measure;
+  if (measure.find("_at_voidage/") != std::string::npos) return "no runs about this voidage: " + measure;
+  const std::string run = measure.substr(measure.find('/'));
+  const bool simulated = std::ranges::any_of(
+      measurements, [&](const auto& entry) { return entry.first.substr(entry.first.find('/')) == run; });
+  return (simulated ? "simulated, but without such a number: " : "not yet simulated: ") + measure;
+}
+
+Evaluation evaluate_claim(const Claim& claim, const Measurements& measurements) {
+  Evaluation evaluation;
+  evaluation.claim = claim;
+  std::vector<Measurement> values;
+  std::string missing;
+  for (const std::string& measure : claim.measures) {
+    const auto keys = expand(measure, measurements);
+    bool found = !keys.empty();
+    for (const std::string& key : keys) {
+      const auto entry = measurements.find(key);
+      if (entry == measurements.end() || std::isnan(entry->second.value)) {
+        found = false;
+      } else {
+        values.push_back(entry->second);
+      }
+    }
+    if (found) continue;
+    missing += (missing.empty() ? "" : "; ") + missing_text(measure, measurements);
+  }
+
+  if (!missing.empty()) {
+    evaluation.reason = missing;
+  } else if (claim.measures.empty()) {
+    evaluation.reason = claim.undecidable;
+  } else if (of_both(values, Springs::own, Springs::softened)) {
+    evaluation.reason =
+        "runs with the paper's springs would be compared with softened ones: more of the former are needed";
+  } else if (is_trend(claim)) {
+    judge_trend(evaluation, values);
+  } else {
+    judge_band(evaluation, reduce(claim.reduction, values));
+  }
+  if (!claim.undecidable.empty()) {
+    evaluation.verdict = Verdict::not_decidable;
+    evaluation.reason = claim.undecidable;
+  }
+  judge_gate(evaluation);
+  return evaluation;
+}
+
+/// A mean with its standard error and degrees of freedom, from its 95 % interval.
+struct Mean {
+  double value, error, freedom;
+};
+
+std::optional<Mean> mean_of(const Measurements& measurements, const std::string& key) {
+  const auto found = measurements.find(key);
+  if (found == measurements.end() || !(found->second.half_width >= 0.0) || found->second.samples < 2)
+    return std::nullopt;
+  const double freedom = static_cast<double>(found->second.samples) - 1.0;
+  return Mean{found->second.value, found->second.half_width / gsl_cdf_tdist_Pinv(0.975, freedom), freedom};
+}
+
+/// |a − b| over what chance allows with probability 1 − `level` (Welch 1947, Biometrika 34, 28).
+double difference_over_chance(const Mean& a, const Mean& b, double level) {
+  const double variance = a.error * a.error + b.error * b.error;
+  // Rounding alone, where neither has a spread (counts that are all the same).
+  if (!(variance > 0.0)) return std::abs(a.value - b.value) > 1e-9 * std::abs(a.value) ? 2.0 : 0.0;
+  const double freedom = variance * variance / (std::pow(a.error, 4) / a.freedom + std::pow(b.error, 4) / b.freedom);
+  return std::abs(a.value - b.value) / (std::sqrt(variance) * gsl_cdf_tdist_Qinv(0.5 * level, freedom));
+}
+
+nlohmann::ordered_json number_or_null(double value) {
+  return std::isfinite(value) ? nlohmann::ordered_json(value) : nlohmann::ordered_json(nullptr);
+}
+
+}  // namespace
+
+void judge_run_gates(std::vector<Evaluation>& evaluations, const Measurements& fresh, const Measurements& accepted) {
+  constexpr double false_alarms = 1e-3;  // of all gates together
+  std::set<std::string> tested;
+  const auto keys_of = [&](const Evaluation& evaluation) {
+    std::vector<std::string> keys;
+    if (evaluation.claim.regression_band) return keys;
+    for (const std::string& measure : evaluation.claim.measures)
+      for (const std::string& key : expand(measure, fresh))
+        if (needs_run(key) && mean_of(fresh, key) && mean_of(accepted, key)) keys.push_back(key);
+    return keys;
+  };
+  for (const Evaluation& evaluation : evaluations)
+    for (std::string& key : keys_of(evaluation)) tested.insert(std::move(key));
+  for (Evaluation& evaluation : evaluations)
+    for (const std::string& key : keys_of(evaluation)) {
+      if (evaluation.gate == Gate::none) evaluation.gate = Gate::holds;
+      const Mean ours = *mean_of(fresh, key), theirs = *mean_of(accepted, key);
+      if (difference_over_chance(ours, theirs, false_alarms / static_cast<double>(tested.size())) <= 1.0) continue;
+      evaluation.gate = Gate::broken;
+      evaluation.reason += fmt::format("; {} is {:.6g} here and {:.6g} in the published runs, more than chance allows",
+                                       key, ours.value, theirs.value);
+    }
+}
+
+std::string_view to_string(Verdict verdict) {
+  switch (verdict) {
+    case Verdict::reproduced:
+      return "reproduced";
+    case Verdict::not_reproduced:
+      return "not reproduced";
+    case Verdict::not_decidable:
+      return "not decidable";
+  }
+  throw std::logic_error("to_string: unknown verdict");
+}
+
+std::string_view to_string(Gate gate) {
+  switch (gate) {
+    case Gate::holds:
+      return "holds";
+    case Gate::broken:
+      return "broken";
+    case Gate::none:
+      return "none";
+  }
+  throw std::logic_error("to_string: unknown gate");
+}
+
+std::string Claim::paper_text() const {
+  switch (kind) {
+    case StatementKind::value:
+      return fmt::format("{:.6g}", paper);
+    case StatementKind::at_most:
+      return fmt::format("at most {:.6g}", paper);
+    case StatementKind::at_least:
+      return fmt::format("at least {:.6g}", paper);
+    case StatementKind::between:
+      return fmt::format("between {:.6g} and {:.6g}", paper, paper_upper);
+    case StatementKind::increasing:
+      return "increasing";
+    case StatementKind::decreasing:
+      return "decreasing";
+    case StatementKind::words:
+      return words;
+  }
+  throw std::logic_error("paper_text: unknown statement");
+}
+
+std::vector<Claim> load_claims() { return load_claims(reference_data_folder() / "peng_2014" / "claims.toml"); }
+
+std::vector<Claim> load_claims(const std::filesystem::path& file) {
+  toml::table document;
+  try {
+    document = toml::parse_file(file.string());
+  } catch (const toml::parse_error& error) {
+    throw std::runtime_error(fmt::format("{}:{}: {}", file.string(), error.source().begin.line, error.description()));
+  }
+  const toml::array* entries = document["claim"].as_array();
+  if (entries == nullptr) throw std::runtime_error(file.string() + ": no [[claim]] in it");
+  std::vector<Claim> claims;
+  std::set<std::string> ids;
+  for (const toml::node& entry : *entries) {
+    claims.push_back(ClaimReader(*entry.as_table(), file).read());
+    if (!ids.insert(claims.back().id).second) {
+      throw std::runtime_error(
+          fmt::format("{}:{}: claim {} occurs twice", file.string(), entry.source().begin.line, claims.back().id));
+    }
+  }
+  return claims;
+}
+
+std::vector<Evaluation> evaluate(const std::vector<Claim>& claims, const Measurements& measurements) {
+  std::vector<Evaluation> evaluations;
+  evaluations.reserve(claims.size());
+  for (const Claim& claim : claims) evaluations.push_back(evaluate_claim(claim, measurements));
+  return evaluations;
+}
+
+ClaimCounts count(const std::vector<Evaluation>& evaluations) {
+  ClaimCounts counts;
+  for (const Evaluation& evaluation : evaluations) {
+    counts.reproduced += evaluation.verdict == Verdict::reproduced;
+    counts.not_reproduced += evaluation.verdict == Verdict::not_reproduced;
+    counts.not_decidable += evaluation.verdict == Verdict::not_decidable;
+    counts.gates_holding += evaluation.gate == Gate::holds;
+    counts.gates_broken += evaluation.gate == Gate::broken;
+  }
+  return counts;
+}
+
+nlohmann::ordered_json claims_json(const std::vector<Evaluation>& evaluations) {
+  using Json = nlohmann::ordered_json;
+  Json list = Json::array();
+  for (const Evaluation& evaluation : evaluations) {
+    const Claim& claim = evaluation.claim;
+    list.push_back({
+        {"id", claim.id},
+        {"figure", claim.figure},
+        {"quantity", claim.quantity},
+        {"unit", claim.unit},
+        {"paper", claim.kind == StatementKind::value ? Json(claim.paper) : Json(claim.paper_text())},
+        {"ours", evaluation.ours ? number_or_null(*evaluation.ours) : Json(nullptr)},
+        {"interval", evaluation.interval ? Json::array({number_or_null(evaluation.interval->first),
+                                                        number_or_null(evaluation.interval->second)})
+                                         : Json(nullptr)},
+        {"deviation", evaluation.deviation ? number_or_null(*evaluation.deviation) : Json(nullptr)},
+        {"paper_band", claim.paper_band ? Json::array({number_or_null(claim.paper_band->lower),
+                                                       number_or_null(claim.paper_band->upper)})
+                                        : Json(nullptr)},
+        {"verdict", to_string(evaluation.verdict)},
+        {"gate", to_string(evaluation.gate)},
+        {"reason", evaluation.reason},
+    });
+  }
+  return {{"claims", std::move(list)}};
+}
+
+std::string claims_junit(const std::vector<Evaluation>& evaluations) {
+  pugi::xml_document document;
+  pugi::xml_node suite = document.append_child("testsuite");
+  std::size_t tests = 0, failures = 0, skipped = 0;
+  for (const Evaluation& evaluation : evaluations) {
+    if (!evaluation.claim.regression_band && evaluation.gate == Gate::none) continue;
+    ++tests;
+    pugi::xml_node test = suite.append_child("testcase");
+    test.append_attribute("classname") = evaluation.claim.figure.c_str();
+    test.append_attribute("name") = evaluation.claim.id.c_str();
+    if (evaluation.gate == Gate::broken) {
+      ++failures;
+      test.append_child("failure").append_attribute("message") = evaluation.reason.c_str();
+    } else if (evaluation.gate == Gate::none) {
+      ++skipped;
+      test.append_child("skipped").append_attribute("message") = evaluation.reason.c_str();
+    }
+  }
+  suite.append_attribute("name") = "slfb check";
+  suite.append_attribute("tests") = tests;
+  suite.append_attribute("failures") = failures;
+  suite.append_attribute("skipped") = skipped;
+  std::ostringstream text;
+  document.save(text, "  ");
+  return text.str();
+}
+
+}  // namespace slfb

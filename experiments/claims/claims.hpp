@@ -1,0 +1,104 @@
+#pragma once
+
+#include <filesystem>
+#include <nlohmann/json_fwd.hpp>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "experiments/quantities/measurement.hpp"
+
+/// Checkable statements of the paper and what our measurements say to each.
+namespace slfb {
+
+/// Closed interval; an open side is ±infinity.
+struct Band {
+  double lower;
+  double upper;
+  [[nodiscard]] bool contains(double value) const { return value >= lower && value <= upper; }
+};
+
+/// What kind of statement the paper makes.
+enum class StatementKind {
+  value,       ///< "is X"
+  at_most,     ///< "not more than X"
+  at_least,    ///< "not less than X"
+  between,     ///< "between X and Y"
+  increasing,  ///< the listed measures rise in the order given
+  decreasing,  ///< the listed measures fall in the order given
+  words,       ///< without a number; never decidable
+};
+
+/// How several measures become one number.
+enum class Reduction { single, largest, smallest, largest_magnitude, ratio, relative_spread };
+
+enum class Verdict { reproduced, not_reproduced, not_decidable };
+enum class Gate { holds, broken, none };
+
+std::string_view to_string(Verdict verdict);  ///< "reproduced", "not reproduced", "not decidable"
+std::string_view to_string(Gate gate);        ///< "holds", "broken", "none"
+
+/// One claim of reference-data/peng_2014/claims.toml with its references resolved.
+struct Claim {
+  std::string id;        ///< "fig05.u_mf_crossing"
+  std::string figure;    ///< "fig05", "table2", "text"
+  std::string quantity;  ///< in words
+  std::string unit;
+  std::string source;  ///< page and section, table or figure
+  StatementKind kind = StatementKind::value;
+  double paper = 0.0;                 ///< the value or bound; the lower one of `between`; unused for a trend
+  double paper_upper = 0.0;           ///< the upper bound of `between`
+  std::string words;                  ///< what the paper states, for StatementKind::words
+  std::optional<Band> paper_band;     ///< inside: reproduced; empty for a trend and for words
+  std::string band_reason;            ///< why the band is as wide as it is
+  std::vector<std::string> measures;  ///< keys into Measurements; "quantity/system/*" stands for every U_L
+  Reduction reduction = Reduction::single;
+  std::optional<Band> regression_band;  ///< around our own accepted value: what CI gates on
+  std::string regression_reason;
+  std::string undecidable;  ///< why no measurement can decide it; empty otherwise
+  /// The paper's side in words: "0.0424", "at most 9", "between 10 and 50", "increasing".
+  [[nodiscard]] std::string paper_text() const;
+};
+
+/// What our measurements say to a claim.
+struct Evaluation {
+  Claim claim;
+  std::optional<double> ours;                         ///< for a trend: change from the first measure to the last
+  std::optional<std::pair<double, double>> interval;  ///< 95 %
+  std::optional<double> deviation;  ///< signed, relative: to the value, or to the nearer bound when outside it, else 0
+  Verdict verdict = Verdict::not_decidable;
+  Gate gate = Gate::none;
+  std::string reason;  ///< why not decidable, or why a gate is broken; for the others how it was decided
+};
+
+/// Reads claims; throws std::runtime_error with file, line and claim on anything unexpected.
+std::vector<Claim> load_claims();
+std::vector<Claim> load_claims(const std::filesystem::path& file);
+
+/// Verdict and gate of each claim by the rules of reference-data/README.md.
+std::vector<Evaluation> evaluate(const std::vector<Claim>& claims, const Measurements& measurements);
+
+/// Gates of the claims that rest on simulations and have no band of their own: this machine's measurements (`fresh`)
+/// against the committed ones (`accepted`). A gate breaks when a measure of its claim differs by more than chance
+/// allows: Welch's t-test of the two means, at a level that lets all gates together raise a false alarm once in a
+/// thousand times. Without a fresh or an accepted measurement, or with a single sample, there is no gate.
+void judge_run_gates(std::vector<Evaluation>& evaluations, const Measurements& fresh, const Measurements& accepted);
+
+/// How many of each verdict and gate.
+struct ClaimCounts {
+  std::size_t reproduced = 0, not_reproduced = 0, not_decidable = 0;
+  std::size_t gates_holding = 0, gates_broken = 0;
+};
+ClaimCounts count(const std::vector<Evaluation>& evaluations);
+
+/// {"claims": [{"id", "figure", "quantity", "unit", "paper", "ours", "interval", "deviation", "paper_band", "verdict",
+/// "gate", "reason"}, …]}.
+nlohmann::ordered_json claims_json(const std::vector<Evaluation>& evaluations);
+
+/// JUnit XML: each claim with a gate, a regression band or a test against the published runs, is a test case; broken:
+/// failure, a band without a measurement: skipped.
+std::string claims_junit(const std::vector<Evaluation>& evaluations);
+
+}  // namespace slfb

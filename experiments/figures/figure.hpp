@@ -1,0 +1,42 @@
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "experiments/quantities/measurement.hpp"
+#include "experiments/runs/campaign.hpp"
+
+namespace slfb {
+
+/// Everything a figure may use.
+struct FigureContext {
+  const Profile& profile;
+  const std::vector<FinishedRun>& runs;
+  const Measurements& measurements;
+  std::filesystem::path out;      ///< folder of the figure's files
+  std::filesystem::path results;  ///< folder of runs/, for figures that draw runs of another profile
+};
+
+/// What a figure left behind: ID.svg, ID.png, ID.pdf, one or more CSV, ID.gp (the gnuplot script that redraws it).
+struct FigureOutput {
+  std::string id;
+  std::vector<std::filesystem::path> data;
+  std::string caption;             ///< what is shown, and what is not known
+  std::vector<std::string> notes;  ///< profile differences, missing runs
+};
+
+/// One figure of the paper: a folder experiments/peng_2014/figNN_…/ with its code and README.
+struct Figure {
+  std::string id;  ///< "fig05"
+  std::string title;
+  std::function<std::vector<std::string>(const Profile&)> needs;  ///< "system/U_L[/variant]" of the runs it draws
+  std::function<FigureOutput(const FigureContext&)> draw;
+  std::string folder = "";  ///< in experiments/, with its code and README.md
+};
+
+/// All figures in the order of the paper; adding one is one line in figures.cpp.
+const std::vector<Figure>& figures();
+
+}  // namespace slfb

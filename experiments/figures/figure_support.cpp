@@ -1,0 +1,274 @@
+#include "experiments/figures/figure_support.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+#include <tuple>
+
+#include "experiments/runs/measure.hpp"
+
+namespace slfb {
+namespace {
+
+std::string join(const std::vector<std::string>& parts, const std::string& separator) {
+  std::string text;
+  for (const auto& part : parts) {
+    if (!text.empty()) text += separator;
+    text += part;
+  }
+  return text;
+}
+
+/// Lines of at most `width` characters, broken at spaces.
+std::vector<std::string> wrap(const std::string& text, std::size_t width) {
+  std::vector<std::string> lines;
+  std::string line;
+  std::istringstream words(text);
+  for (std::string word; words >> word;) {
+    if (!line.empty() && line.size() + 1 + word.size() > width) {
+      lines.push_back(line);
+      line.clear();
+    }
+    if (!line.empty()) line += ' ';
+    line += word;
+  }
+  if (!line.empty()) lines.push_back(line);
+  return lines;
+}
+
+std::vector<const FinishedRun*> present_runs(const FigureContext& context, const std::vector<std::string>& keys) {
+  std::vector<const FinishedRun*> present;
+  for (const auto& run : context.runs)
+    if (std::find(keys.begin(), keys.end(), run_key(run.spec)) != keys.end()) present.push_back(&run);
+  return present;
+}
+
+/// Sentences that set the runs apart from the paper's, profile by profile; what a profile shares with one before it is
+/// not said twice.
+std::vector<std::string> differences_of(const FigureContext& context, const std::vector<const FinishedRun*>& present) {
+  std::vector<std::string> profiles, sentences;
+  for (const FinishedRun* run : present) {
+    const std::string& name = run->spec.profile.empty() ? context.profile.name : run->spec.profile;
+    if (std::find(profiles.begin(), profiles.end(), name) != profiles.end()) continue;
+    profiles.push_back(name);
+    sentences.push_back(fmt::format("Profile {}.", name));
+    for (const auto& sentence :
+         name == context.profile.name ? context.profile.differences : load_profile(name).differences)
+      if (std::find(sentences.begin(), sentences.end(), sentence) == sentences.end()) sentences.push_back(sentence);
+  }
+  return sentences;
+}
+
+/// What a run lacks that a figure may need; the least is best.
+std::tuple<bool, bool, double> lack(const FinishedRun& run) {
+  const auto& drops = run.result.drops;
+  const double interval = drops.empty() ? std::nan("") : sample_interval(drops.front());
+  return {run.stale, run.result.snapshots.empty(),
+          std::isnan(interval) ? std::numeric_limits<double>::infinity() : interval};
+}
+
+const FinishedRun* best_of(const std::vector<FinishedRun>& runs, std::string_view key) {
+  const FinishedRun* found = nullptr;
+  for (const auto& run : runs)
+    if (run_key(run.spec) == key && (found == nullptr || lack(run) < lack(*found))) found = &run;
+  return found;
+}
+
+}  // namespace
+
+std::vector<std::string> select_run_keys(const Profile& profile, const std::function<bool(const RunSpec&)>& wanted) {
+  std::vector<std::string> keys;
+  for (const auto& spec : profile.runs) {
+    const std::string key = run_key(spec);
+    if (wanted(spec) && std::find(keys.begin(), keys.end(), key) == keys.end()) keys.push_back(key);
+  }
+  return keys;
+}
+
+double sample_interval(const DropSeries& drop) {
+  if (drop.time.size() < 2) return std::numeric_limits<double>::quiet_NaN();
+  return (drop.time.back() - drop.time.front()) / static_cast<double>(drop.time.size() - 1);
+}
+
+const FinishedRun* find_run(const FigureContext& context, std::string_view key) { return best_of(context.runs, key); }
+
+const FinishedRun* find_contact_run(const FigureContext& context, const std::vector<FinishedRun>& own_springs,
+                                    std::string_view key) {
+  const FinishedRun* own = best_of(own_springs, key);
+  const FinishedRun* other = find_run(context, key);
+  return own == nullptr || (other != nullptr && lack(*other) < lack(*own)) ? other : own;
+}
+
+std::string springs_note(const std::vector<FinishedRun>& own_springs) {
+  std::vector<std::string> keys;
+  for (const FinishedRun& run : own_springs) keys.push_back(run_key(run.spec));
+  return fmt::format(
+      "Contacts, collisions and single forces hang on the springs: where a system has two velocities with those of the "
+      "paper, they are taken from these runs alone (profiles springs and paper-steps: {}); elsewhere the springs are "
+      "softer, so that contacts last longer, with the root of mass over stiffness, and hide collisions.",
+      keys.empty() ? "none yet" : join(keys, ", "));
+}
+
+std::vector<MeasuredPoint> measured_points(const Measurements& measurements, std::string_view quantity,
+                                           std::string_view system, std::string_view variant) {
+  const std::string prefix = fmt::format("{}/{}/", quantity, system);
+  std::vector<MeasuredPoint> points;
+  for (auto entry = measurements.lower_bound(prefix); entry != measurements.end(); ++entry) {
+    const auto& [key, measured] = *entry;
+    if (!key.starts_with(prefix)) break;
+    const std::string tail = key.substr(prefix.size());
+    const std::size_t slash = tail.find('/');
+    const std::string found_variant = slash == std::string::npos ? "" : tail.substr(slash + 1);
+    if (found_variant != variant) continue;
+    points.push_back({std::stod(tail.substr(0, slash)), measured.value, measured.half_width});
+  }
+  std::sort(points.begin(), points.end(),
+            [](const auto& a, const auto& b) { return a.superficial_velocity < b.superficial_velocity; });
+  return points;
+}
+
+std::optional<double> mean_over_runs(const Measurements& measurements, std::string_view quantity,
+                                     std::string_view system) {
+  const auto points = measured_points(measurements, quantity, system);
+  if (points.empty()) return std::nullopt;
+  double sum = 0.0;
+  for (const auto& point : points) sum += point.value;
+  return sum / static_cast<double>(points.size());
+}
+
+std::vector<std::string> variants_of(const Profile& profile, std::string_view system) {
+  std::vector<std::string> variants{""};
+  for (const auto& spec : profile.runs)
+    if (spec.system == system && std::find(variants.begin(), variants.end(), spec.variant) == variants.end())
+      variants.push_back(spec.variant);
+  return variants;
+}
+
+std::string series_title(const FigureContext& context, std::string_view system, const std::string& variant) {
+  if (!variant.empty()) return "simulated, " + variant;
+  for (const auto& run : context.runs)
+    if (run.spec.system == system && run.spec.variant.empty()) return "simulated, " + run.scene.coupling.drag_law;
+  return "simulated";
+}
+
+int line_style(std::size_t place) { return 2 + static_cast<int>(place % 4); }
+
+std::string error_bars(const DataTable& table, const std::vector<int>& using_columns, const std::string& style,
+                       int line_style) {
+  const auto half_width = static_cast<std::size_t>(using_columns.back()) - 1;
+  if (std::none_of(table.rows.begin(), table.rows.end(),
+                   [&](const auto& row) { return std::isfinite(row[half_width]); }))
+    return "";
+  // Both at once, one of them of no width: gnuplot leaves a gap for the point in the bars of a single direction, in
+  // which short bars vanish.
+  const std::string widths =
+      style == "yerrorbars" ? fmt::format("(0):{}", using_columns.back()) : fmt::format("{}:(0)", using_columns.back());
+  return fmt::format("'{}.csv' skip 1 using {}:{}:{} with xyerrorbars linestyle {} pointsize 0 linewidth 1.4 notitle, ",
+                     table.name, using_columns.at(0), using_columns.at(1), widths, line_style);
+}
+
+DataTable against_bed(const FigureContext& context, std::string_view quantity, const std::string& heading,
+                      std::string_view system, std::string_view variant, BedAbscissa abscissa) {
+  const bool solids = abscissa == BedAbscissa::solid_fraction;
+  const std::string unit = heading.substr(std::min(heading.find('['), heading.size()));
+  DataTable table{fmt::format("{}_{}{}{}", quantity, system, variant.empty() ? "" : "_", variant),
+                  {"superficial velocity [m/s]", solids ? "solid fraction [-]" : "voidage [-]",
+                   "half width of its 95 % interval [-]", heading, "half width of its 95 % interval " + unit},
+                  {}};
+  for (const auto& point : measured_points(context.measurements, quantity, system, variant)) {
+    const auto voidage =
+        context.measurements.find(measure_key("voidage_centre_of_mass", system, point.superficial_velocity, variant));
+    if (voidage == context.measurements.end()) continue;
+    const double share = solids ? 1.0 - voidage->second.value : voidage->second.value;
+    table.rows.push_back(
+        {point.superficial_velocity, share, voidage->second.half_width, point.value, point.half_width});
+  }
+  return table;
+}
+
+std::string plot_against_bed(DataTable table, const std::string& title, int line_style, const FigureContext& context,
+                             FigureOutput& output) {
+  if (table.rows.empty()) return "";
+  table.name = output.id + "_" + table.name;
+  output.data.push_back(write_csv(table, context.out));
+  return fmt::format(", {}{}'{}.csv' skip 1 using 2:4 with points linestyle {} {}",
+                     error_bars(table, {2, 4, 5}, "yerrorbars", line_style),
+                     error_bars(table, {2, 4, 3}, "xerrorbars", line_style), table.name, line_style,
+                     title.empty() ? std::string("notitle") : "title " + gnuplot_text(title));
+}
+
+std::string plot_variants_against_bed(std::string_view quantity, const std::string& heading, std::string_view system,
+                                      BedAbscissa abscissa, const FigureContext& context, FigureOutput& output) {
+  std::string elements;
+  const auto variants = variants_of(context.profile, system);
+  for (std::size_t place = 0; place < variants.size(); ++place)
+    elements +=
+        plot_against_bed(against_bed(context, quantity, heading, system, variants[place], abscissa),
+                         series_title(context, system, variants[place]), slfb::line_style(place), context, output);
+  return elements;
+}
+
+std::vector<std::string> run_notes(const FigureContext& context, const std::vector<std::string>& keys) {
+  std::vector<std::string> notes;
+  const auto present = present_runs(context, keys);
+  for (auto& sentence : differences_of(context, present)) notes.push_back(std::move(sentence));
+  std::vector<std::string> missing, published, stale, without_drop;
+  for (const auto& key : keys)
+    if (find_run(context, key) == nullptr) missing.push_back(key);
+  for (const FinishedRun* run : present) {
+    std::size_t asked = 0;
+    for (const Stage& stage : run->scene.stages)
+      if (stage.kind == StageKind::drop) asked += static_cast<std::size_t>(stage.repetitions);
+    if (const std::size_t dropped = run->result.drops.size(); dropped < asked)
+      without_drop.push_back(fmt::format("{} ({} of {})", run_key(run->spec), dropped, asked));
+    if (run->published) published.push_back(run_key(run->spec));
+    if (run->stale) stale.push_back(run_key(run->spec));
+  }
+  if (keys.empty()) notes.push_back("Neither this profile nor the full one has a simulation for this figure.");
+  if (!missing.empty()) notes.push_back(fmt::format("Not yet simulated: {}.", join(missing, ", ")));
+  if (!without_drop.empty())
+    notes.push_back(
+        fmt::format("Fewer spheres could be dropped than asked, for the bed reaches up to the place of release: {}.",
+                    join(without_drop, ", ")));
+  if (!published.empty()) notes.push_back(fmt::format("Read from the committed results: {}.", join(published, ", ")));
+  if (!stale.empty()) notes.push_back(fmt::format("Made by an older version of the numerics: {}.", join(stale, ", ")));
+  return notes;
+}
+
+void draw_figure_of_runs(const std::string& id, const std::string& commands, Canvas canvas,
+                         const FigureContext& context, const std::vector<std::string>& keys,
+                         const std::vector<FinishedRun>& own_springs) {
+  std::string text =
+      fmt::format("Not yet simulated. \"build/slfb figures {} --profile full\" simulates it and draws it again.", id);
+  const auto present = present_runs(context, keys);
+  if (own_springs.empty()) {
+    if (!present.empty()) text = join(differences_of(context, present), " ");
+  } else {
+    std::vector<const FinishedRun*> of_contacts;
+    for (const FinishedRun& run : own_springs) of_contacts.push_back(&run);
+    const auto sentences = differences_of(context, of_contacts);
+    std::vector<std::string> others;
+    for (std::string& sentence : differences_of(context, present))
+      if (std::ranges::find(sentences, sentence) == sentences.end()) others.push_back(std::move(sentence));
+    const std::string contacts = "Contacts and single forces: " + join(sentences, " ");
+    text = present.empty() ? text + " " + contacts : contacts + " All else: " + join(others, " ");
+  }
+  const int characters = std::max(40, canvas.width / 5);
+  const auto lines = wrap(text, static_cast<std::size_t>(characters));
+  const int line_height = 13;
+  const int text_height = line_height * static_cast<int>(lines.size()) + 8;
+  canvas.height += text_height;
+  std::string head = fmt::format("height = {}\nbase = {:.5f}\nset origin 0, base\nset size 1, 1 - base\n",
+                                 canvas.height, static_cast<double>(text_height) / canvas.height);
+  for (std::size_t index = 0; index < lines.size(); ++index) {
+    const double height = (text_height - 4.0 - line_height * (static_cast<double>(index) + 0.5)) / canvas.height;
+    head += fmt::format("set label {} {} at screen 0.012, {:.5f} font ',9' textcolor rgb '#6b7580' front\n",
+                        901 + index, gnuplot_text(lines[index]), height);
+  }
+  head += fmt::format("footer_drawn = 'unset for [tag=901:{}] label tag'\n\n", 900 + lines.size());
+  draw_figure(id, head + commands, canvas, context.out);
+}
+
+}  // namespace slfb

@@ -1,0 +1,461 @@
+#include "experiments/numerics/plan/plan.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <gsl/gsl_cdf.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <set>
+#include <sstream>
+#include <stdexcept>
+
+#include "correlations/fluidisation/bed_expansion.hpp"
+#include "experiments/numerics/frontier/study.hpp"
+#include "experiments/numerics/studies/table_reader.hpp"
+#include "experiments/runs/run_estimate.hpp"
+#include "solver/dem/particles.hpp"
+#include "solver/fluid/column_grid.hpp"
+#include "solver/laws/user_law.hpp"
+#include "solver/run/one_particle.hpp"
+#include "solver/support/folders.hpp"
+
+namespace slfb::plan {
+namespace {
+
+constexpr double packed_voidage = 0.4;
+
+Sphere sphere_of(const Species& species) { return {species.diameter, species.density}; }
+LiquidProperties liquid_of(const Scene& scene) { return {scene.liquid.density, scene.liquid.viscosity}; }
+
+const Species& leading_species(const Scene& scene) {
+  for (const Species& species : scene.species)
+    if (species.count > 0) return species;
+  return scene.species.front();
+}
+
+double bed_spheres(const Scene& scene) {
+  double n = 0.0;
+  for (const Species& species : scene.species) n += static_cast<double>(species.count);
+  return n;
+}
+
+double terminal_velocity(const Scene& scene, const Species& sphere) {
+  return fluidisation::superficial_velocity(find_drag_law(scene.coupling.drag_law), sphere_of(sphere), liquid_of(scene),
+                                            1.0);
+}
+
+/// Velocity that lifts the packed bed [m/s].
+double minimum_velocity(const Scene& scene) {
+  return fluidisation::minimum_fluidisation_velocity(
+      find_drag_law(scene.coupling.drag_law), sphere_of(leading_species(scene)), liquid_of(scene), packed_voidage);
+}
+
+/// 1, 2 or 5 times a power of ten, never above the value: steps that people can read.
+double rounded_down(double value) {
+  const double decade = std::pow(10.0, std::floor(std::log10(value)));
+  for (const double digit : {5.0, 2.0, 1.0})
+    if (digit * decade <= value * (1.0 + 1e-9)) return digit * decade;
+  return decade;
+}
+
+Rule::Condition condition_of(studies::TableReader& table, const std::string& text) {
+  std::istringstream words(text);
+  std::string number, comparison;
+  double value = 0.0;
+  if (!(words >> number >> comparison >> value) || (comparison != "<" && comparison != ">"))
+    throw table.problem("when", fmt::format("\"{}\" must read NUMBER > VALUE or NUMBER < VALUE", text));
+  return {number, comparison == ">", value};
+}
+
+/// An error of a study, without what chance adds to it, and the standard error of the deviation behind it [-].
+struct Measured {
+  double error, standard_error;
+};
+
+/// Standard error of a mean of replicates, from its 95 % interval; 0 where there is none.
+double standard_error(double half_width, int replicates) {
+  return replicates > 1 && half_width > 0.0 ? half_width / gsl_cdf_tdist_Pinv(0.975, replicates - 1.0) : 0.0;
+}
+
+/// Adds to `measured`, by quantity, what a point of a committed study is off its reference, or another point of the
+/// study; of several the one that is surest. Chance adds the square of its standard error to the mean square of a
+/// deviation: that is taken off. Returns where the numbers stand.
+std::string add_measured(studies::TableReader& table, std::map<std::string, Measured>& measured) {
+  const std::string id = table.text("study");
+  const frontier::ReducedStudy solved = frontier::load_committed(id);
+  const auto read_point = [&](studies::TableReader& place) {
+    const std::string series = place.text("series");
+    const double axis = place.number("axis");
+    for (const frontier::ReducedPoint& point : solved.points)
+      if (point.series == series && std::abs(point.axis - axis) <= 1e-9 * std::abs(axis) && !point.values.empty())
+        return &point;
+    throw place.problem(
+        "axis", fmt::format("the committed set of study \"{}\" has no answer of \"{}\" at {:g}", id, series, axis));
+  };
+  const auto text_of = [](const frontier::ReducedPoint& point) {
+    return fmt::format("{} at {:g}", point.series, point.axis);
+  };
+  const frontier::ReducedPoint& point = *read_point(table);
+  const frontier::ReducedPoint* against = nullptr;
+  if (table.has("against")) {
+    studies::TableReader other = table.table("against");
+    against = read_point(other);
+    other.reject_others();
+  }
+  table.reject_others();
+  for (const auto& [quantity, value] : point.values) {
+    const auto& others = against == nullptr ? solved.reference : against->values;
+    Measured found{value.error, 0.0};
+    if (const auto other = others.find(quantity); other != others.end()) {
+      const double truth = other->second.value;
+      found.standard_error = std::hypot(standard_error(value.half_width, point.replicates),
+                                        standard_error(other->second.half_width, point.replicates)) /
+                             std::abs(truth);
+      const double deviation = value.value / truth - 1.0;
+      found.error = std::sqrt(std::max(0.0, deviation * deviation - found.standard_error * found.standard_error));
+    }
+    const auto [place, added] = measured.try_emplace(quantity, found);
+    if (!added && found.standard_error < place->second.standard_error) place->second = found;
+  }
+  return fmt::format("frontier {} ({}{}; {} set of {})", id, text_of(point),
+                     against == nullptr ? "" : " against " + text_of(*against), solved.set, solved.date);
+}
+
+bool holds(const Rule& rule, const std::vector<Number>& numbers, const std::vector<std::string>& asked) {
+  for (const auto& condition : rule.when) {
+    const auto number = std::ranges::find(numbers, condition.number, &Number::name);
+    if (number == numbers.end())
+      throw std::runtime_error(fmt::format("rules.toml: no number is called \"{}\"", condition.number));
+    if (condition.above ? !(number->value > condition.value) : !(number->value < condition.value)) return false;
+  }
+  const auto in = [](const std::vector<std::string>& list, const std::string& item) {
+    return std::ranges::find(list, item) != list.end();
+  };
+  if (!rule.asked.empty() && std::ranges::none_of(asked, [&](const auto& q) { return in(rule.asked, q); }))
+    return false;
+  return rule.only.empty() || std::ranges::all_of(asked, [&](const auto& q) { return in(rule.only, q); });
+}
+
+/// What rules say of any scene as overrides of this one: "stage[drop].repetitions=5" for every drop by its number,
+/// "cells_in_bed_diameters=1" as so many cubes across that are about as wide as a sphere of the bed, and
+/// "cells_in_diameters=1.25" the same, but wide enough for the largest sphere. Others as they are.
+Overrides for_scene(const Scene& scene, const std::vector<std::string>& overrides) {
+  Overrides list;
+  const auto cubes = [&](double width_wished) {
+    const double width =
+        scene.geometry.shape == Shape::cylinder ? scene.geometry.diameter : scene.geometry.width.front();
+    const auto across = std::max(1L, std::lround(std::floor(width / width_wished * (1.0 + 1e-9))));
+    list.push_back(fmt::format("fluid.cells_across={}", across));
+    list.push_back(fmt::format("fluid.cell_height={}", width / static_cast<double>(across)));
+  };
+  const double diameter = leading_species(scene).diameter;
+  double largest = 0.0;
+  for (const Species& species : scene.species) largest = std::max(largest, species.diameter);
+  for (const std::string& one : overrides) {
+    const std::string key = one.substr(0, one.find('=')), value = one.substr(key.size() + 1);
+    const bool drop = key.starts_with("stage[drop]"), fluidise = key.starts_with("stage[fluidise]");
+    if (key == "cells_in_bed_diameters") {
+      cubes(std::stod(value) * diameter);
+    } else if (key == "cells_in_diameters") {
+      cubes(std::max(std::stod(value) * diameter, largest));
+    } else if (drop || fluidise) {
+      for (std::size_t i = 0; i < scene.stages.size(); ++i)
+        if (scene.stages[i].kind == (drop ? StageKind::drop : StageKind::fluidise))
+          list.push_back(fmt::format("stage[{}]{}", i, one.substr(one.find(']') + 1)));
+    } else {
+      list.push_back(one);
+    }
+  }
+  return list;
+}
+
+/// Of each subject the first rule whose conditions are true and that is not refused. A tier without simulation leaves
+/// nothing else to choose.
+std::vector<const Rule*> first_that_hold(const Rules& rules, const std::vector<Number>& numbers,
+                                         const std::vector<std::string>& asked, const std::set<const Rule*>& refused) {
+  std::vector<const Rule*> chosen;
+  std::set<std::string> decided;
+  for (const Rule& rule : rules.list) {
+    if (decided.contains(rule.subject) || refused.contains(&rule) || !holds(rule, numbers, asked)) continue;
+    decided.insert(rule.subject);
+    chosen.push_back(&rule);
+    if (rule.without_simulation()) return {&rule};
+  }
+  return chosen;
+}
+
+double effect_on(const Rule& rule, const std::string& quantity) {
+  const auto found = rule.effect.find(quantity);
+  return found == rule.effect.end() ? 0.0 : found->second;
+}
+
+/// Whether two rules choose the same, perhaps of different effect under their own conditions.
+bool same_choice(const Rule& a, const Rule& b) {
+  return a.set == b.set && a.steps_per_contact == b.steps_per_contact &&
+         a.liquid_steps_per_relaxation == b.liquid_steps_per_relaxation &&
+         a.longest_liquid_step == b.longest_liquid_step;
+}
+
+/// The choice to give up when a quantity leaves its band: of those that another choice of a later rule of the same
+/// subject betters, the one with the largest effect. Null when all are inside, or where even the best of all later
+/// rules would not do.
+const Rule* too_coarse(const Rules& rules, const std::vector<const Rule*>& chosen, const std::vector<Number>& numbers,
+                       const std::vector<std::string>& asked) {
+  for (const std::string& quantity : asked) {
+    double squares = 0.0, least_squares = 0.0;
+    const Rule* worst = nullptr;
+    for (const Rule* rule : chosen) {
+      const double own = effect_on(*rule, quantity);
+      double least = own;
+      for (const Rule& later : rules.list)
+        if (&later > rule && later.subject == rule->subject && !same_choice(later, *rule) &&
+            holds(later, numbers, asked))
+          least = std::min(least, effect_on(later, quantity));
+      squares += own * own;
+      least_squares += least * least;
+      if (least < own && (worst == nullptr || own > effect_on(*worst, quantity))) worst = rule;
+    }
+    const double band = rules.bands.at(quantity);
+    if (std::sqrt(squares) > band && std::sqrt(least_squares) <= band) return worst;
+  }
+  return nullptr;
+}
+
+double core_seconds(const Scene& scene) { return estimate_run(scene).core_seconds; }
+
+/// Estimates of answers without simulation: a root, a short integration [s].
+constexpr double formula_core_seconds = 1e-3;
+
+}  // namespace
+
+Rules load_rules() {
+  const auto file = source_folder() / "experiments" / "numerics" / "plan" / "rules.toml";
+  const toml::table parsed = studies::parse_table(file);
+  studies::TableReader table(parsed, file.string());
+  Rules rules;
+  rules.forces = table.texts("forces");
+  const toml::table* bands = parsed["bands"].as_table();
+  if (bands == nullptr) throw table.problem("bands", "is missing");
+  for (const auto& [quantity, band] : *bands) rules.bands[std::string(quantity.str())] = band.value_or(0.0);
+  for (studies::TableReader& one : table.tables("rule")) {
+    Rule rule;
+    rule.subject = one.text("subject");
+    rule.choice = one.text("choice");
+    rule.why = one.text("why");
+    rule.source = one.text("source");
+    rule.evidence = one.text("evidence", "");
+    rule.richer = one.text("richer", "");
+    for (const std::string& text : one.texts("when")) rule.when.push_back(condition_of(one, text));
+    rule.asked = one.texts("asked");
+    rule.only = one.texts("only");
+    rule.set = one.texts("set");
+    rule.richer_set = one.texts("richer_set");
+    rule.steps_per_contact = one.number("steps_per_contact", 0.0);
+    rule.liquid_steps_per_relaxation = one.number("liquid_steps_per_relaxation", 0.0);
+    if (rule.liquid_steps_per_relaxation > 0.0) rule.longest_liquid_step = one.number("longest_liquid_step");
+    rule.effect = one.numbers_by_name("effect");
+    for (const auto& [quantity, error] : rule.effect)
+      if (!rules.bands.contains(quantity)) throw one.problem("effect", quantity + " has no band");
+    std::map<std::string, Measured> measured;
+    for (studies::TableReader& point : one.tables("measured"))
+      rule.evidence += (rule.evidence.empty() ? "" : "; ") + add_measured(point, measured);
+    for (const auto& [quantity, found] : measured)
+      if (rules.bands.contains(quantity)) rule.effect.try_emplace(quantity, found.error);
+    if (rule.evidence.empty()) throw one.problem("evidence", "is missing, and so is measured");
+    one.reject_others();
+    rules.list.push_back(std::move(rule));
+  }
+  return rules;
+}
+
+std::vector<Number> numbers_of(const Scene& scene) {
+  const Species& sphere = leading_species(scene);
+  if (sphere.density <= scene.liquid.density)
+    throw std::runtime_error(
+        fmt::format("species \"{}\" of {:g} kg/m3 does not sink in a liquid of {:g} kg/m3: there is no fall and no "
+                    "fluidised bed to "
+                    "plan for",
+                    sphere.name, sphere.density, scene.liquid.density));
+  const auto liquid = liquid_of(scene);
+  const double terminal = terminal_velocity(scene, sphere), minimum = minimum_velocity(scene);
+  const double reynolds = reynolds_number(liquid, sphere.diameter, terminal);
+  const double column = scene.geometry.shape == Shape::cylinder
+                            ? scene.geometry.diameter
+                            : std::min(scene.geometry.width[0], scene.geometry.width[1]);
+  double largest = 0.0;
+  for (const Species& species : scene.species) largest = std::max(largest, species.diameter);
+  const double mass = sphere.density * dem::Particles::volume_of(0.5 * sphere.diameter);
+  const double cell = scene.fluid.tier == FluidTier::quiescent ? 2.0 * largest : scene.fluid.cell_height;
+  // Time in which the drag alone would take up the terminal velocity.
+  const double relaxation = terminal / (gravity * (1.0 - scene.liquid.density / sphere.density));
+  const bool walls = scene.geometry.shape == Shape::cylinder || scene.fluid.wall != LateralBoundary::periodic;
+  double drops = 0.0;
+  for (const Stage& stage : scene.stages)
+    if (stage.kind == StageKind::drop) drops += stage.repetitions;
+  const double stiffness = scene.contact.law == "linear" ? scene.contact.stiffness : 0.0;
+  return {{"archimedes_number", archimedes_number(sphere_of(sphere), liquid), "Ar of the bed's spheres"},
+          {"terminal_reynolds_number", reynolds, "Re at the terminal velocity"},
+          {"stokes_number", sphere.density * sphere.diameter * terminal / (9.0 * liquid.viscosity),
+           "St of an impact at the terminal velocity"},
+          {"density_ratio", sphere.density / scene.liquid.density, "sphere over liquid"},
+          {"bed_spheres", bed_spheres(scene), "spheres of the bed"},
+          {"column_over_diameter", column / sphere.diameter, "width of the column in diameters"},
+          {"has_walls", walls ? 1.0 : 0.0, "1 with side walls, 0 for periodic sides"},
+          {"cell_over_diameter", cell / sphere.diameter, "cell in diameters of the bed's spheres"},
+          {"largest_over_bed", largest / sphere.diameter, "largest sphere in diameters of the bed's"},
+          {"cell_over_largest", cell / largest, "cell in diameters of the largest sphere"},
+          {"velocity_over_minimum", scene.liquid.superficial_velocity / minimum, "U_L over U_mf: 1 is the packed bed"},
+          {"velocity_over_terminal", scene.liquid.superficial_velocity / terminal, "U_L over u_t: 1 is wash-out"},
+          {"drops", drops, "spheres dropped, one after the other"},
+          {"relaxation_time", relaxation, "of the drag at the terminal velocity [s]"},
+          {"liquid_steps_per_relaxation", relaxation / scene.fluid.time_step, "in the scene as it stands"},
+          {"steps_per_contact", std::numbers::pi * contact_time_step_bound(scene) / scene.contact.time_step,
+           "in the scene as it stands"},
+          {"stiffness", stiffness, "of the normal spring [N/m]"},
+          {"overlap_at_soft", scene.liquid.superficial_velocity * std::sqrt(0.5 * mass / 1e3) / sphere.diameter,
+           "of an impact at U_L with 1e3 N/m, in diameters"}};
+}
+
+std::vector<std::string> usual_questions(const Scene& scene) {
+  if (!(bed_spheres(scene) > 0.0)) return {"terminal_velocity"};
+  for (const Stage& stage : scene.stages)
+    if (stage.kind == StageKind::drop) return {"classification_velocity", "voidage"};
+  return {"voidage", "pressure_drop"};
+}
+
+Scene changed(const Scene& scene, const Overrides& overrides) {
+  return overrides.empty() ? scene : parse_scene(canonical_toml(scene), "plan", overrides);
+}
+
+Plan make_plan(const Scene& scene, const std::vector<std::string>& asked, const Rules& all_rules, Forces forces) {
+  Rules rules = all_rules;
+  if (forces == Forces::of_the_scene)
+    std::erase_if(rules.list, [&](const Rule& rule) {
+      return std::ranges::find(rules.forces, rule.subject) != rules.forces.end();
+    });
+  std::vector<std::string> known;
+  for (const auto& [quantity, band] : rules.bands) known.push_back(quantity);
+  for (const std::string& quantity : asked)
+    if (!rules.bands.contains(quantity))
+      throw std::invalid_argument(
+          fmt::format("there is no quantity \"{}\"; known: {}", quantity, fmt::join(known, ", ")));
+  Plan plan;
+  plan.asked = asked;
+  plan.numbers = numbers_of(scene);
+  plan.given_core_seconds = core_seconds(scene);
+  std::set<const Rule*> refused;
+  auto chosen = first_that_hold(rules, plan.numbers, asked, refused);
+  for (const Rule* rule = too_coarse(rules, chosen, plan.numbers, asked); rule != nullptr;
+       rule = too_coarse(rules, chosen, plan.numbers, asked)) {
+    refused.insert(rule);
+    chosen = first_that_hold(rules, plan.numbers, asked, refused);
+  }
+  struct Pending {
+    const Rule* rule;
+    std::size_t decision;
+  };
+  std::vector<Pending> pending;
+  for (const Rule* rule : chosen) {
+    plan.by_formula = plan.by_formula || rule->without_simulation();
+    Decision decision{
+        rule->subject, rule->choice, rule->why, rule->source, rule->evidence, for_scene(scene, rule->set), {},
+        rule->richer,  {},           0.0};
+    for (const std::string& quantity : asked)
+      if (const auto found = rule->effect.find(quantity); found != rule->effect.end()) {
+        decision.effect[quantity] = found->second;
+        plan.effect[quantity] = std::hypot(plan.effect[quantity], found->second);
+      }
+    plan.decisions.push_back(decision);
+    pending.push_back({rule, plan.decisions.size() - 1});
+  }
+  for (const std::string& quantity : asked) plan.band[quantity] = rules.bands.at(quantity);
+  if (plan.by_formula) {
+    plan.core_seconds = formula_core_seconds;
+    Decision& tier = plan.decisions.front();
+    tier.richer_overrides = for_scene(scene, pending.front().rule->richer_set);
+    tier.richer_core_seconds = plan.given_core_seconds;
+    return plan;
+  }
+  // Values first that steps depend on.
+  Overrides values;
+  for (const Decision& decision : plan.decisions)
+    values.insert(values.end(), decision.overrides.begin(), decision.overrides.end());
+  values.emplace_back("contact.allow_large_time_step=true");
+  Scene planned = changed(scene, values);
+  // The step of the spheres divides that of the liquid.
+  double liquid_step = planned.fluid.time_step, solid_step = planned.contact.time_step;
+  for (const auto& [rule, decision] : pending) {
+    if (rule->liquid_steps_per_relaxation > 0.0) {
+      const auto relaxation = std::ranges::find(plan.numbers, "relaxation_time", &Number::name)->value;
+      liquid_step = std::min(rule->longest_liquid_step, rounded_down(relaxation / rule->liquid_steps_per_relaxation));
+      plan.decisions[decision].choice += fmt::format(": {:g} s", liquid_step);
+    }
+  }
+  for (const auto& [rule, decision] : pending)
+    if (rule->steps_per_contact > 0.0) {
+      const double wished = std::numbers::pi * contact_time_step_bound(planned) / rule->steps_per_contact;
+      solid_step = liquid_step / std::ceil(liquid_step / wished);
+      plan.decisions[decision].choice += fmt::format(": {:.3g} s", solid_step);
+      plan.decisions[decision].overrides = {fmt::format("contact.time_step={}", solid_step)};
+    }
+  for (const auto& [rule, decision] : pending)
+    if (rule->liquid_steps_per_relaxation > 0.0)
+      plan.decisions[decision].overrides = {fmt::format("fluid.time_step={}", liquid_step)};
+  values.push_back(fmt::format("contact.time_step={}", solid_step));
+  values.push_back(
+      fmt::format("fluid.time_step={}", planned.fluid.tier == FluidTier::quiescent ? solid_step : liquid_step));
+  plan.overrides = values;
+  planned = changed(scene, values);
+  plan.core_seconds = core_seconds(planned);
+  for (const auto& [rule, number] : pending) {
+    Decision& decision = plan.decisions[number];
+    if (decision.richer.empty()) continue;
+    decision.richer_overrides = for_scene(scene, rule->richer_set);
+    if (rule->richer_set.empty()) {
+      // "the scene's own": whatever the rule replaced.
+      if (rule->subject == "contact stiffness")
+        decision.richer_overrides = {
+            fmt::format("contact.stiffness={}", scene.contact.stiffness),
+            fmt::format("contact.time_step={}",
+                        liquid_step / std::ceil(liquid_step / solid_step * std::sqrt(scene.contact.stiffness / 1e3)))};
+      if (rule->subject == "rolling resistance")
+        decision.richer_overrides = {fmt::format("contact.rolling_friction={}", scene.contact.rolling_friction)};
+    }
+    decision.richer_core_seconds = core_seconds(changed(planned, decision.richer_overrides));
+  }
+  return plan;
+}
+
+std::map<std::string, double> answer_by_formula(const Scene& scene, const Plan& plan) {
+  std::map<std::string, double> answers;
+  for (const std::string& quantity : plan.asked) {
+    if (quantity == "terminal_velocity") {
+      const Species& sphere = leading_species(scene);
+      OneParticleFall fall;
+      fall.diameter = sphere.diameter;
+      fall.density = sphere.density;
+      fall.liquid_density = fall.surrounding_density = scene.liquid.density;
+      fall.viscosity = scene.liquid.viscosity;
+      fall.drag_law = scene.coupling.drag_law;
+      // Thirty relaxation times, after which nothing changes any more.
+      const double relaxation = std::ranges::find(plan.numbers, "relaxation_time", &Number::name)->value;
+      answers[quantity] = -integrate_fall(fall, {0.0, 30.0 * relaxation}).back().velocity;
+    } else if (quantity == "minimum_fluidisation_velocity") {
+      answers[quantity] = minimum_velocity(scene);
+    } else if (quantity == "pressure_drop") {
+      double weight = 0.0;
+      for (const Species& species : scene.species)
+        weight += static_cast<double>(species.count) * dem::Particles::volume_of(0.5 * species.diameter) *
+                  (species.density - scene.liquid.density) * gravity;
+      const double area = scene.geometry.shape == Shape::cylinder
+                              ? 0.25 * std::numbers::pi * scene.geometry.diameter * scene.geometry.diameter
+                              : scene.geometry.width[0] * scene.geometry.width[1];
+      answers[quantity] = weight / area;
+    }
+  }
+  return answers;
+}
+
+}  // namespace slfb::plan

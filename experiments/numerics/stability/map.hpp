@@ -1,0 +1,95 @@
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "experiments/numerics/studies/solved_set.hpp"
+#include "experiments/numerics/studies/trial_store.hpp"
+
+/// Where methods fail: the boundary over two parameters, by bisection on a criterion stated in physics.
+namespace slfb::stability {
+
+enum class Set { quick, full };
+
+/// A limit that theory gives, drawn beside the boundary.
+struct Theory {
+  std::string name;     ///< for the key
+  std::string formula;  ///< one of theory_formulas(), "value" or "quantity:NAME" of the last trial that held
+  double value = 0.0;   ///< of the formula "value"
+  std::vector<std::string> settings;
+};
+
+struct MapSeries {
+  std::string name;
+  std::vector<std::string> settings;
+  double limit;  ///< of the criterion
+};
+
+/// A file experiments/numerics/stability/maps/ID.toml (README.md there explains the keys).
+struct Map {
+  std::string id, title, caption, problem;
+  std::vector<std::string> settings;
+  std::string x_label, y_label;
+  std::vector<std::string> x_settings, y_settings;  ///< with {} for the value
+  std::vector<double> x_values;
+  double y_low = 0.0, y_high = 0.0;  ///< between which the boundary is looked for, on a logarithmic scale
+  bool x_logarithmic = true;
+  bool fails_high = true;   ///< methods fail at large y; false: at small y
+  double tolerance = 0.05;  ///< on the boundary: upper over lower end of the bracket, less one
+  std::string quantity;  ///< the criterion: fails where it is above (below) the limit, or where the method breaks down
+  bool fails_above = true;
+  std::string criterion_text;
+  std::vector<MapSeries> series;
+  std::vector<Theory> theories;
+  struct Mark {
+    double x, y;
+    std::string text;
+  };
+  std::vector<Mark> marks;  ///< settings in use
+
+  [[nodiscard]] studies::Trial trial(const MapSeries& of, double x, double y) const;
+};
+
+/// \throws std::runtime_error with file, line and key; std::invalid_argument, SceneError for settings
+Map load_map(const std::filesystem::path& file, Set set);
+std::vector<std::filesystem::path> map_files();
+
+enum class BoundaryKind { found, never_fails, always_fails };
+
+struct Boundary {
+  std::string series;
+  double x = 0.0;
+  BoundaryKind kind = BoundaryKind::found;
+  double y = 0.0;                ///< middle of the bracket; the end of the range where nothing was found
+  double low = 0.0, high = 0.0;  ///< bracket
+  std::string diagnosis;         ///< how the nearest failing trial failed
+  std::vector<double> theory;    ///< of each Theory; NaN where it says nothing
+  int trials = 0;
+};
+
+/// Bisection on the logarithm of y. Trials come from the store or are solved and kept there; empty when `stop` said so.
+std::optional<Boundary> find_boundary(const Map& map, const MapSeries& series, double x,
+                                      const studies::TrialStore& store, const std::function<bool()>& stop = {});
+
+struct SolvedMap : studies::SolvedSet {
+  std::vector<Boundary> boundaries;
+};
+
+/// What is known of a map: what a run of this machine left in `out`/stability, or the committed set where there is
+/// none, or where it is the full one and this machine's the quick one. Empty boundaries when there is neither.
+SolvedMap load_solved(const Map& map, const std::filesystem::path& out);
+/// This machine's quick set where load_solved gives the committed full one, to be drawn beside it; else empty.
+SolvedMap load_beside(const Map& map, const std::filesystem::path& out);
+void save_solved(const SolvedMap& solved, const std::filesystem::path& file);
+std::filesystem::path committed_file(const std::string& id);
+std::filesystem::path solved_file(const std::filesystem::path& out, const std::string& id);
+
+/// Names of the formulas that a [[theory]] may name.
+std::vector<std::string> theory_formulas();
+/// Value of such a formula for a scene and the parameters of its problem.
+double theory_value(const std::string& formula, const Scene& scene, const studies::Parameters& parameters);
+
+}  // namespace slfb::stability

@@ -1,0 +1,103 @@
+#include <algorithm>
+#include <cmath>
+
+#include "experiments/numerics/pressure_noise/noise_study.hpp"
+#include "experiments/numerics/studies/problems/problem_list.hpp"
+#include "solver/coupling/phase_coupling.hpp"
+#include "solver/dem/engine.hpp"
+#include "solver/dem/packing.hpp"
+#include "solver/dem/walls.hpp"
+#include "solver/fluid/liquid_solver.hpp"
+
+namespace slfb::studies {
+namespace {
+
+/// The bed of experiments/numerics/pressure_noise in small, after half a second of fluidisation with the schemes of the
+/// suite.
+Scene start_scene(const Scene& scene) {
+  Scene small = noise::study_scene();
+  small.geometry.diameter = 0.025;
+  small.geometry.height = 0.14;
+  small.fluid.cells_across = 4;
+  small.species.front().count = 150;
+  small.seed = scene.seed;
+  return small;
+}
+
+TrialResult solve(const Scene& given, const Parameters& parameters, int) {
+  Scene scene = start_scene(given);
+  const dem::Particles spheres = noise::fluidised(scene, 0.5);
+  const auto geometry = scene.geometry;
+  const auto cells = scene.fluid.cells_across;
+  const auto height = scene.fluid.cell_height;
+  scene.fluid = given.fluid;
+  scene.fluid.wall = LateralBoundary::no_slip;
+  scene.coupling = given.coupling;
+  // A divisor of the liquid's step, any of which a map may ask for.
+  constexpr double longest_solid_step = 1e-4;
+  scene.contact.time_step = given.fluid.time_step / std::ceil(given.fluid.time_step / longest_solid_step - 1e-9);
+  // Cells in diameters of the spheres, if asked for.
+  const double cell = parameters.at("cell");
+  scene.fluid.cells_across =
+      cell > 0.0 ? std::max(1, static_cast<int>(std::lround(geometry.diameter / (cell * 0.005)))) : cells;
+  scene.fluid.cell_height = cell > 0.0 ? cell * 0.005 : height;
+
+  dem::Engine engine(scene.contact, dem::walls_of(scene), {0.0, 0.0, 0.0}, 1);
+  fluid::LiquidSolver liquid(scene);
+  coupling::PhaseCoupling exchange(scene, &liquid);
+  for (std::size_t i = 0; i < spheres.size(); ++i)
+    engine.add_particle(spheres.position.at(i), spheres.radius[i], scene.species.front().density, 0);
+  engine.particles.velocity = spheres.velocity;
+  const double step = scene.fluid.time_step, seconds = parameters.at("seconds");
+  const auto substeps = std::llround(step / scene.contact.time_step);
+  const auto advance = [&](double duration, auto each) {
+    for (auto k = std::llround(duration / step); k > 0; --k) {
+      exchange.advance(engine, step);
+      engine.advance(substeps);
+      each();
+    }
+  };
+  advance(parameters.at("transient"), [] {});
+  const auto iterations = liquid.cost().pressure_iterations;
+  double sum = 0.0, squares = 0.0, n = 0.0, drift = 0.0;
+  const double start = thread_cpu_seconds();
+  advance(seconds, [&] {
+    sum += liquid.inlet_pressure();
+    squares += liquid.inlet_pressure() * liquid.inlet_pressure();
+    drift = std::max(drift, liquid.continuity_error());
+    ++n;
+  });
+  TrialResult result;
+  result.cpu_seconds = (thread_cpu_seconds() - start) / seconds;
+  double weight = 0.0, mean_velocity = 0.0;
+  for (std::size_t i = 0; i < engine.particles.size(); ++i) {
+    weight += gravity * (engine.particles.mass[i] - scene.liquid.density * engine.particles.volume(i));
+    mean_velocity += engine.particles.velocity.z[i] / static_cast<double>(engine.particles.size());
+  }
+  const double mean = sum / n;
+  result.values["pressure_drop"].value = mean;
+  result.values["sphere_velocity"].value = mean_velocity;
+  result.values["mass_drift"].value = drift;
+  result.values["pressure_noise"].value =
+      std::sqrt(std::max(0.0, squares / n - mean * mean)) * liquid.grid().section_area() / weight;
+  result.counts["pressure iterations"] = static_cast<double>(liquid.cost().pressure_iterations - iterations) / seconds;
+  result.counts["cell-steps"] = static_cast<double>(liquid.grid().size()) * n / seconds;
+  return result;
+}
+
+}  // namespace
+
+Problem pressure_window_problem() {
+  return {"pressure-window",
+          "150 fluidised spheres in a 25 mm column, followed for a short time from one and the same state.",
+          "simulated second",
+          "numerics/studies/scenes/box.toml",
+          {{"pressure_drop", "mean pressure drop", "Pa"},
+           {"sphere_velocity", "mean velocity of the spheres at the end", "m/s"},
+           {"mass_drift", "largest violation of continuity over the inflow", "-"},
+           {"pressure_noise", "r.m.s. of the pressure drop over the bed's weight", "-"}},
+          {{"seconds", 0.05}, {"transient", 0.02}, {"cell", 0.0}},
+          solve};
+}
+
+}  // namespace slfb::studies

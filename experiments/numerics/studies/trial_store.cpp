@@ -1,0 +1,95 @@
+#include "experiments/numerics/studies/trial_store.hpp"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <atomic>
+#include <cmath>
+#include <fstream>
+#include <mutex>
+#include <nlohmann/json.hpp>
+#include <set>
+#include <thread>
+
+#include "experiments/runs/stop_signals.hpp"
+
+namespace slfb::studies {
+namespace {
+
+using nlohmann::json;
+
+json number(double value) { return std::isfinite(value) ? json(value) : json(nullptr); }
+double number(const json& value) { return value.is_null() ? std::nan("") : value.get<double>(); }
+
+}  // namespace
+
+std::filesystem::path TrialStore::file_of(const Trial& trial) const {
+  return folder_ / trial.problem / (trial.hash() + ".json");
+}
+
+std::optional<TrialResult> TrialStore::find(const Trial& trial) const {
+  std::ifstream stream(file_of(trial));
+  if (!stream) return std::nullopt;
+  const json kept = json::parse(stream, nullptr, false);
+  if (kept.is_discarded()) return std::nullopt;
+  TrialResult result;
+  for (const auto& [name, value] : kept.at("values").items())
+    result.values[name] = {number(value.at("value")), number(value.at("error")), number(value.at("exact"))};
+  result.counts = kept.at("counts").get<std::map<std::string, double>>();
+  result.cpu_seconds = kept.at("cpu_seconds");
+  result.failure = kept.at("failure");
+  result.machine = kept.at("machine");
+  return result;
+}
+
+void TrialStore::keep(const Trial& trial, const TrialResult& result) const {
+  const auto file = file_of(trial);
+  std::filesystem::create_directories(file.parent_path());
+  json kept{{"problem", trial.problem},          {"settings", trial.settings}, {"replicate", trial.replicate},
+            {"counts", result.counts},           {"failure", result.failure},  {"machine", result.machine},
+            {"cpu_seconds", result.cpu_seconds}, {"values", json::object()}};
+  for (const auto& [name, value] : result.values)
+    kept["values"][name] = {
+        {"value", number(value.value)}, {"error", number(value.error)}, {"exact", number(value.exact)}};
+  // Renamed when whole: another process may read it meanwhile.
+  const auto temporary = fmt::format("{}.{}", file.string(), getpid());
+  std::ofstream stream(temporary);
+  stream << kept.dump(1) << '\n';
+  stream.close();
+  if (!stream) throw std::runtime_error(fmt::format("cannot write {}", temporary));
+  std::filesystem::rename(temporary, file);
+}
+
+bool solve_missing(const std::vector<Trial>& trials, const TrialStore& store, const SolveOptions& options) {
+  std::vector<const Trial*> missing;
+  std::set<std::string> hashes;
+  for (const Trial& trial : trials)
+    if (!store.find(trial) && hashes.insert(trial.problem + trial.hash()).second) missing.push_back(&trial);
+  const StopSignals signals;
+  std::atomic<std::size_t> next{0}, done{0};
+  std::mutex mutex;
+  std::exception_ptr error;
+  const auto work = [&] {
+    for (std::size_t i = next++; i < missing.size() && !signals.requested(); i = next++) {
+      try {
+        const TrialResult result = solve(*missing[i]);
+        store.keep(*missing[i], result);
+        const std::lock_guard lock(mutex);
+        ++done;
+        if (options.solved) options.solved(done, missing.size(), *missing[i], result);
+      } catch (...) {
+        const std::lock_guard lock(mutex);
+        error = std::current_exception();
+        next = missing.size();
+      }
+    }
+  };
+  {
+    std::vector<std::jthread> threads;
+    for (int job = 0; job < options.jobs; ++job) threads.emplace_back(work);
+  }
+  if (error) std::rethrow_exception(error);
+  return done == missing.size();
+}
+
+}  // namespace slfb::studies

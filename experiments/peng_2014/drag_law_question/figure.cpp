@@ -1,0 +1,188 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+#include "correlations/collision/collision_laws.hpp"
+#include "correlations/drag/drag_laws.hpp"
+#include "correlations/fluidisation/bed_expansion.hpp"
+#include "experiments/figures/figure_support.hpp"
+#include "experiments/peng_2014/figures.hpp"
+#include "experiments/peng_2014/paper_conditions.hpp"
+#include "experiments/reference/reference_data.hpp"
+#include "experiments/runs/measure.hpp"
+
+namespace slfb {
+namespace {
+
+constexpr const char* system_name = "6in5W";
+
+/// One law with one friction, as its runs are called in profiles.toml and as it is drawn.
+struct Combination {
+  const char *variant, *law;
+  double friction;
+  const char* colour;
+  int point_type;
+  double shift;  ///< of its points along U_L, so that they do not hide each other [m/s]
+};
+constexpr std::array combinations{Combination{"gidaspow-1994_friction-0_3", "Gidaspow", 0.3, "ours", 5, -0.004},
+                                  Combination{"gidaspow-1994_friction-0_1", "Gidaspow", 0.1, "ours", 9, -0.0024},
+                                  Combination{"gidaspow-1994_friction-0", "Gidaspow", 0.0, "ours", 6, -0.0008},
+                                  Combination{"wen-yu-1966_friction-0_3", "Wen-Yu", 0.3, "variant", 5, 0.0008},
+                                  Combination{"wen-yu-1966_friction-0_1", "Wen-Yu", 0.1, "variant", 9, 0.0024},
+                                  Combination{"wen-yu-1966_friction-0", "Wen-Yu", 0.0, "variant", 6, 0.004}};
+
+/// Its runs belong to a profile of their own: nothing else waits for them.
+std::vector<std::string> needs(const Profile& profile) {
+  if (profile.name != "drag-law") return {};
+  return select_run_keys(profile, [](const RunSpec&) { return true; });
+}
+
+template <class Law>
+double homogeneous_voidage(const Law& law, double superficial_velocity) {
+  const auto bed = fluidisation::bed_voidage(law, paper::glass(0.005), paper::water(), superficial_velocity,
+                                             paper::packed_voidage());
+  return bed.regime == fluidisation::BedRegime::expanded ? bed.voidage : std::nan("");
+}
+
+std::optional<double> printed_voidage(double superficial_velocity) {
+  for (const auto& point : peng_2014().figure13())
+    if (std::fabs(point.superficial_velocity - superficial_velocity) < 1e-6) return point.voidage;
+  return {};
+}
+
+std::optional<double> printed_velocity(double superficial_velocity) {
+  for (const auto& row : peng_2014().table2())
+    if (std::fabs(row.superficial_velocity - superficial_velocity) < 1e-6) return row.classification_velocity;
+  return {};
+}
+
+struct Value {
+  double value = std::nan(""), half_width = std::nan("");
+};
+Value measured(const Measurements& measurements, const char* quantity, double velocity, const char* variant) {
+  const auto found = measurements.find(measure_key(quantity, system_name, velocity, variant));
+  return found == measurements.end() ? Value{} : Value{found->second.value, found->second.half_width};
+}
+
+FigureOutput draw(const FigureContext& outer) {
+  const Profile profile = load_profile("drag-law");
+  const auto runs = finished_runs(profile, outer.results);
+  const Measurements measurements = measure_runs(runs);
+  const FigureContext context{profile, runs, measurements, outer.out, outer.results};
+  const auto keys = needs(profile);
+  FigureOutput output{"drag-law", {}, "", run_notes(context, keys)};
+
+  DataTable lines{
+      "drag_law_homogeneous", {"superficial velocity [m/s]", "Gidaspow 1994 [-]", "Wen and Yu 1966 [-]"}, {}};
+  for (int step = 45; step <= 250; ++step) {
+    const double velocity = 1e-3 * step;
+    lines.rows.push_back({velocity, homogeneous_voidage(drag::Gidaspow1994{}, velocity),
+                          homogeneous_voidage(drag::WenYu1966{}, velocity)});
+  }
+  DataTable printed{"drag_law_paper", {"superficial velocity [m/s]", "voidage [-]", "V_2 [m/s]"}, {}};
+  for (const auto& row : peng_2014().table2())
+    printed.rows.push_back({row.superficial_velocity, printed_voidage(row.superficial_velocity).value_or(std::nan("")),
+                            row.classification_velocity});
+  DataTable equation40{"drag_law_equation_40", {"voidage [-]", "|F_c|/mg [-]"}, {}};
+  for (int step = 44; step <= 90; ++step)
+    equation40.rows.push_back({0.01 * step, collision::Peng2014{}(paper::steel_in_glass(0.1, 0.01 * step), 0.0)});
+  for (const auto* table : {&lines, &printed, &equation40}) output.data.push_back(write_csv(*table, outer.out));
+
+  std::string voidages, velocities, forces, sentences;
+  double least = std::numeric_limits<double>::infinity();
+  std::string nearest;
+  for (const Combination& c : combinations) {
+    DataTable table{fmt::format("drag_law_{}", c.variant),
+                    {"superficial velocity [m/s]", "voidage [-]", "half width [-]", "V_2 [m/s]", "half width [m/s]",
+                     "|F_c|/mg [-]", "half width [-]", "drag over weight [-]", "wall time per simulated time [s/s]"},
+                    {}};
+    double squares = 0.0;
+    int counted = 0;
+    for (const double velocity : {0.06, 0.10, 0.20}) {
+      const Value voidage = measured(measurements, "voidage_centre_of_mass", velocity, c.variant),
+                  v2 = measured(measurements, "classification_velocity", velocity, c.variant),
+                  force = measured(measurements, "collision_force_ratio", velocity, c.variant),
+                  drag = measured(measurements, "drag_ratio", velocity, c.variant),
+                  cost = measured(measurements, "wall_seconds_per_simulated_second", velocity, c.variant);
+      if (std::isnan(voidage.value)) continue;
+      table.rows.push_back({velocity, voidage.value, voidage.half_width, v2.value, v2.half_width, force.value,
+                            force.half_width, drag.value, cost.value});
+      if (const auto paper = printed_velocity(velocity); paper && std::isfinite(v2.value)) {
+        squares += std::pow(v2.value / *paper - 1.0, 2);
+        ++counted;
+      }
+      if (const auto paper = printed_voidage(velocity)) {
+        // A tenth of the voidage's distance from packing is about as wide as a tenth of V_2.
+        squares += std::pow((voidage.value - *paper) / (*paper - 0.4), 2);
+        ++counted;
+      }
+    }
+    if (table.rows.empty()) continue;
+    const double deviation = std::sqrt(squares / std::max(1, counted));
+    const std::string title = fmt::format("{}, friction {}", c.law, c.friction);
+    sentences += fmt::format("{}{}: {:.0f} %", sentences.empty() ? "" : "; ", title, 100.0 * deviation);
+    if (deviation < least) least = deviation, nearest = title;
+    output.data.push_back(write_csv(table, outer.out));
+    // Points and bars apart: a mean without an interval still has its point.
+    const auto series = [&](std::size_t column, std::size_t x_column, double shift, bool titled) {
+      const auto any = [&](std::size_t k) {
+        return std::any_of(table.rows.begin(), table.rows.end(),
+                           [&](const auto& row) { return std::isfinite(row[k - 1]); });
+      };
+      const std::string style = fmt::format("linecolor rgb {} pointtype {} pointsize 0.8", c.colour, c.point_type);
+      std::string plots;
+      if (any(column + 1))
+        plots += fmt::format(", '{}.csv' skip 1 using (${}+{}):{}:{} with yerrorbars {} notitle", table.name, x_column,
+                             shift, column, column + 1, style);
+      if (any(column))
+        plots += fmt::format(", '{}.csv' skip 1 using (${}+{}):{} with points {} {}", table.name, x_column, shift,
+                             column, style, titled ? fmt::format("title '{}'", title) : std::string("notitle"));
+      return plots;
+    };
+    voidages += series(2, 1, c.shift, true);
+    velocities += series(4, 1, c.shift, false);
+    forces += series(6, 2, 0.0, false);
+  }
+  output.caption =
+      "Voidage of the bed, classification velocity of the 6 mm steel sphere and its mean collision force, with "
+      "Gidaspow's and with Wen and Yu's drag law and three sliding frictions (Peng 2014: 0.3). Black: what the paper "
+      "prints (Fig. 13, Table 2, Eq. 40). Lines: the homogeneous bed of each law; Gidaspow's has none between 0.131 "
+      "and "
+      "0.255 m/s. Bars: 95 % intervals.";
+  if (!nearest.empty())
+    output.caption += fmt::format(
+        " Root mean square deviation from the printed V_2, and from the printed voidages over their distance from 0.4: "
+        "{}. "
+        "Nearest: {}.",
+        sentences, nearest);
+
+  const std::string script =
+      "set multiplot\nset tmargin at screen 1 - 16.0/height\nset bmargin at screen base + 74.0/height\n"
+      "set xrange [0.04:0.22]\nset xtics 0.04\nset xlabel 'U_L [m/s]'\n"
+      "set key at screen 0.83, screen 1 - 16.0/height left top Left reverse font ',11'\n"
+      "set lmargin at screen 0.085\nset rmargin at screen 0.27\nset ylabel 'voidage [-]'\nset yrange [0.4:0.9]\n"
+      "plot 'drag_law_homogeneous.csv' skip 1 using 1:2 with lines linecolor rgb ours title 'homogeneous, Gidaspow', "
+      "'' skip 1 using 1:3 with lines linecolor rgb variant title 'homogeneous, Wen-Yu', "
+      "'drag_law_paper.csv' skip 1 using 1:2 with points linecolor rgb paper pointtype 2 pointsize 0.9 title 'paper'" +
+      voidages +
+      "\neval footer_drawn\nunset key\n"
+      "set lmargin at screen 0.355\nset rmargin at screen 0.54\nset ylabel 'V_2 [m/s]'\nset yrange [0:0.5]\n"
+      "plot 'drag_law_paper.csv' skip 1 using 1:3 with points linecolor rgb paper pointtype 2 pointsize 0.9 notitle" +
+      velocities +
+      "\nset lmargin at screen 0.625\nset rmargin at screen 0.81\nset xrange [0.44:0.9]\nset xtics 0.1\n"
+      "set xlabel 'voidage [-]'\nset ylabel '|F_c|/mg [-]'\nset yrange [0:1.2]\n"
+      "plot 'drag_law_equation_40.csv' skip 1 using 1:2 with lines linecolor rgb paper notitle" +
+      forces + "\nunset multiplot\n";
+  draw_figure_of_runs("drag-law", script, {1180, 420}, context, keys);
+  return output;
+}
+
+}  // namespace
+
+Figure drag_law_question() { return {"drag-law", "The drag-law question", needs, draw, "peng_2014/drag_law_question"}; }
+
+}  // namespace slfb

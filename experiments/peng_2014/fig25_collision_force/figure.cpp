@@ -1,0 +1,101 @@
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "correlations/collision/collision_force/grbavcic_2009.hpp"
+#include "correlations/collision/collision_force/peng_2014.hpp"
+#include "correlations/collision/collision_force/van_der_wielen_1996.hpp"
+#include "experiments/figures/figure_support.hpp"
+#include "experiments/peng_2014/fig25_collision_force/collision_force_laws.hpp"
+#include "experiments/peng_2014/figures.hpp"
+#include "experiments/peng_2014/paper_conditions.hpp"
+#include "experiments/reference/reference_data.hpp"
+
+namespace slfb {
+namespace {
+
+constexpr const char* system_name = "6in5W";
+
+bool wanted(const RunSpec& spec) { return spec.system == system_name && spec.superficial_velocity > 0.055; }
+
+std::vector<std::string> needs(const Profile& profile) { return select_run_keys(profile, wanted); }
+
+FigureOutput draw(const FigureContext& context) {
+  const auto keys = needs(context.profile);
+  FigureOutput output{"fig25", {}, "", run_notes(context, keys)};
+  output.caption =
+      "Mean collision force on the 6 mm steel sphere in the bed of 5 mm glass, over its weight. Dashed black: the "
+      "paper's "
+      "correlation, Eq. 40. Small diamonds: van der Wielen's force with the 18 velocities of Table 2, at the voidage "
+      "that "
+      "Eq. 36 gives for their superficial velocity. Shaded: Grbavčić's force between f = 1 (none) and f = 0, with the "
+      "foreign sphere or with the bed spheres in Eq. 14, since neither the function f nor that choice is known. Filled "
+      "symbols: our runs with 95 % intervals (mean magnitude of the contact force from entering the bed to the "
+      "bottom).";
+
+  output.data.push_back(write_csv(collision_force_laws("fig25"), context.out));
+  output.data.push_back(write_csv(van_der_wielen_of_table_2("fig25_van_der_wielen"), context.out));
+
+  const std::string simulated = plot_variants_against_bed("collision_force_ratio", "force over weight [-]", system_name,
+                                                          BedAbscissa::voidage, context, output);
+  const std::string script =
+      "set key tmargin left vertical maxrows 9 Left reverse font ',12'\nset xrange [0.4:1]\nset yrange [0:1.25]\nset "
+      "ytics 0.25\n" +
+      collision_force_plot("fig25") + simulated + "\n";
+  draw_figure_of_runs("fig25", script, {520, 520}, context, keys);
+  return output;
+}
+
+}  // namespace
+
+DataTable collision_force_laws(const std::string& name) {
+  using Foreign = collision::Grbavcic2009<collision::DisplacedDrag::of_foreign_sphere>;
+  using Bed = collision::Grbavcic2009<collision::DisplacedDrag::of_bed_spheres>;
+  DataTable curves{name,
+                   {"voidage [-]", "Eq. 40 [-]", "Grbavcic 2009 with f = 0 and the foreign sphere [-]",
+                    "Grbavcic 2009 with f = 0 and the bed spheres [-]"},
+                   {}};
+  for (int step = 0; step <= 120; ++step) {
+    const double voidage = 0.4 + 0.005 * step;
+    const auto state = paper::steel_in_glass(0.0, voidage);  // the velocity has no part in these laws
+    curves.rows.push_back(
+        {voidage,
+         collision::Peng2014::info.voidage.contains(voidage) ? collision::Peng2014{}(state, 0.0) : std::nan(""),
+         Foreign{0.0}(state), Bed{0.0}(state)});
+  }
+  return curves;
+}
+
+DataTable van_der_wielen_of_table_2(const std::string& name) {
+  DataTable points{name,
+                   {"superficial velocity [m/s]", "voidage by Eq. 36 [-]", "classification velocity of Table 2 [m/s]",
+                    "force over weight [-]"},
+                   {}};
+  for (const auto& row : peng_2014().table2()) {
+    const auto state = paper::steel_in_glass(row.superficial_velocity);
+    points.rows.push_back({row.superficial_velocity, state.voidage, row.classification_velocity,
+                           collision::VanDerWielen1996{}(state, row.classification_velocity)});
+  }
+  return points;
+}
+
+std::string collision_force_plot(const std::string& name) {
+  return fmt::format(
+      "set style fill transparent solid 0.18 noborder\n"
+      "set xlabel 'voidage α_L [-]'\nset ylabel 'collision force over weight, |F_c|/mg [-]'\n"
+      "plot '{0}.csv' skip 1 using 1:3 with filledcurves y=0 linecolor rgb law_four title 'Grbavčić, foreign sphere', "
+      "'' skip 1 using 1:3 with lines linestyle 14 notitle, "
+      "'' skip 1 using 1:4 with filledcurves y=0 linecolor rgb law_three title 'Grbavčić, bed spheres', "
+      "'' skip 1 using 1:4 with lines linestyle 13 notitle, "
+      "'{0}_van_der_wielen.csv' skip 1 using 2:4 with linespoints linestyle 12 pointtype 12 pointsize 0.5 title 'van "
+      "der Wielen with V_2 of Table 2', "
+      "'{0}.csv' skip 1 using 1:2 with lines linestyle 1 title 'paper, Eq. 40'",
+      name);
+}
+
+Figure fig25() {
+  return {"fig25", "Collision force on the foreign particle against the voidage", needs, draw,
+          "peng_2014/fig25_collision_force"};
+}
+
+}  // namespace slfb

@@ -1,0 +1,86 @@
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "experiments/figures/drawn_table.hpp"
+#include "experiments/figures/figure_support.hpp"
+#include "experiments/peng_2014/figures.hpp"
+#include "experiments/reference/reference_data.hpp"
+#include "experiments/runs/measure.hpp"
+
+namespace slfb {
+namespace {
+
+constexpr const char* system_name = "6in5W";
+
+bool wanted(const RunSpec& spec) {
+  return spec.system == system_name && spec.variant.empty() && spec.superficial_velocity > 0.055;
+}
+
+std::vector<std::string> needs(const Profile& profile) { return select_run_keys(profile, wanted); }
+
+/// "0.213 ± 0.021", the value alone for a single sample, a dash for none.
+std::string with_interval(const Measurement& measured, int digits) {
+  if (std::isnan(measured.value)) return "–";
+  if (!std::isfinite(measured.half_width)) return fmt::format("{:.{}f}", measured.value, digits);
+  return fmt::format("{:.{}f} ± {:.{}f}", measured.value, digits, measured.half_width, digits);
+}
+
+FigureOutput draw(const FigureContext& context) {
+  const auto keys = needs(context.profile);
+  FigureOutput output{"table2", {}, "", run_notes(context, keys)};
+  output.caption =
+      "Straight lines z = intercept − V_2 t through the fall of the 6 mm steel sphere between 0.2 and 0.1 m: the "
+      "paper's "
+      "(one drop each) and ours (mean of the drops with its 95 % interval). Time runs from the start of fluidisation "
+      "and the "
+      "drop is at 20 s, so the intercept holds the time of arrival: only drops from the paper's height have one. The "
+      "intercept printed for 0.17 m/s repeats that of 0.16.";
+  DataTable table{"table2_lines",
+                  {"superficial velocity [m/s]", "paper V_2 [m/s]", "V_2 [m/s]",
+                   "half width of its 95 % interval [m/s]", "paper intercept [m]", "intercept [m]",
+                   "half width of its 95 % interval [m]", "paper R^2 [-]", "R^2 [-]", "drops [-]"},
+                  {}};
+  std::vector<std::vector<std::string>> rows;
+  for (const auto& row : peng_2014().table2()) {
+    const auto measured = [&](const char* quantity) {
+      const auto found = context.measurements.find(measure_key(quantity, system_name, row.superficial_velocity));
+      return found == context.measurements.end() ? Measurement{} : found->second;
+    };
+    const Measurement velocity = measured("classification_velocity"), intercept = measured("classification_intercept"),
+                      r_squared = measured("classification_r2");
+    const bool simulated = !std::isnan(velocity.value);
+    const double drops = simulated ? static_cast<double>(velocity.samples) : 0.0;
+    table.rows.push_back({row.superficial_velocity, row.classification_velocity, velocity.value, velocity.half_width,
+                          row.intercept, intercept.value, intercept.half_width, row.r_squared, r_squared.value, drops});
+    rows.push_back(
+        {fmt::format("{:.2f}", row.superficial_velocity), fmt::format("{:.3f}", row.classification_velocity),
+         with_interval(velocity, 3),
+         simulated ? fmt::format("{:+.0f} %", 100.0 * (velocity.value / row.classification_velocity - 1.0)) : "–",
+         fmt::format("{:.3f}", row.intercept), with_interval(intercept, 2), fmt::format("{:.4g}", row.r_squared),
+         simulated ? fmt::format("{:.4f}", r_squared.value) : "–", fmt::format("{:g}", drops)});
+  }
+  output.data.push_back(write_csv(table, context.out));
+  constexpr int width = 760;
+  const std::vector<TableColumn> columns{{"U_L\n[m/s]", 62},
+                                         {"V_2 [m/s]\npaper", 150},
+                                         {"\nours", 278, false, "ours"},
+                                         {"\ndifference", 368, false, "ours"},
+                                         {"intercept [m]\npaper", 462},
+                                         {"\nours", 570, false, "ours"},
+                                         {"R² [-]\npaper", 638},
+                                         {"\nours", 698, false, "ours"},
+                                         {"\ndrops", 748, false, "ours"}};
+  draw_figure_of_runs("table2", table_commands(columns, rows, width), {width, table_height(rows.size())}, context,
+                      keys);
+  return output;
+}
+
+}  // namespace
+
+Figure table2() {
+  return {"table2", "Straight lines through the fall of the foreign particle", needs, draw,
+          "peng_2014/table2_fitted_lines"};
+}
+
+}  // namespace slfb

@@ -1,0 +1,73 @@
+#include "experiments/runs/campaign.hpp"
+
+#include <spdlog/spdlog.h>
+
+#include <optional>
+#include <stdexcept>
+#include <utility>
+
+#include "experiments/runs/run_files.hpp"
+
+namespace slfb {
+
+namespace {
+
+std::optional<FinishedRun> own_run(const RunSpec& spec, const Scene& scene, const std::filesystem::path& out) {
+  const std::string hash = scene_hash(scene);
+  if (!std::filesystem::exists(result_file(out, hash))) return std::nullopt;
+  return FinishedRun{spec, scene, load_own_result(out, hash), false, false, {}};
+}
+
+std::optional<FinishedRun> published_run(const RunSpec& spec, const Scene& scene) {
+  const auto file = published_file(spec);
+  if (!std::filesystem::exists(file)) return std::nullopt;
+  FinishedRun run{spec, scene, {}, true, false, {}};
+  try {
+    run.result = load_result(file);
+    if (const auto numbers = published_summary(spec); std::filesystem::exists(numbers))
+      run.summary = load_summary(numbers);
+  } catch (const std::runtime_error& error) {
+    // Written by an earlier version of the suite, it may lack what this one reads.
+    spdlog::warn("left out a published result: {}", error.what());
+    return std::nullopt;
+  }
+  run.stale = run.result.numerics != numerics_version || run.result.name != scene_hash(scene);
+  // An older result is analysed with the scene it was made from.
+  if (run.stale) run.scene = parse_scene(run.result.scene_text, file.string());
+  return run;
+}
+
+}  // namespace
+
+std::vector<FinishedRun> finished_runs(const Profile& profile, const std::filesystem::path& out) {
+  std::vector<FinishedRun> runs;
+  for (const RunSpec& spec : profile.runs) {
+    const Scene scene = load_run_scene(spec);
+    auto run = own_run(spec, scene, out);
+    if (!run) run = published_run(spec, scene);
+    if (run) runs.push_back(std::move(*run));
+  }
+  return runs;
+}
+
+std::vector<FinishedRun> own_runs(std::vector<FinishedRun> runs, const std::string& profile) {
+  std::erase_if(runs, [&](const FinishedRun& run) { return run.published || run.spec.profile != profile; });
+  return runs;
+}
+
+std::vector<FinishedRun> published_runs(const Profile& profile) {
+  std::vector<FinishedRun> runs;
+  for (const RunSpec& spec : profile.runs)
+    if (auto run = published_run(spec, load_run_scene(spec)); run && !run->stale) runs.push_back(std::move(*run));
+  return runs;
+}
+
+std::vector<FinishedRun> runs_with_own_springs(const std::filesystem::path& out) {
+  std::vector<FinishedRun> runs;
+  for (const char* profile : {"springs", "paper-steps"})
+    for (FinishedRun& run : finished_runs(load_profile(profile), out))
+      if (!run.stale) runs.push_back(std::move(run));
+  return runs;
+}
+
+}  // namespace slfb

@@ -1,0 +1,69 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "experiments/quantities/run_summary.hpp"
+#include "solver/io/run_result.hpp"
+#include "solver/scene/scene_file.hpp"
+
+namespace slfb {
+
+/// One simulation that figures share: a scene file and what a profile changes in it.
+struct RunSpec {
+  std::string system;           ///< "6in5W": foreign 6 mm in bed of 5 mm, water
+  double superficial_velocity;  ///< U_L [m/s]
+  std::string variant;          ///< "" for the default drag law of the profile, else what differs ("di-felice-1994")
+  std::filesystem::path scene;  ///< relative to experiments/scenes
+  Overrides overrides;
+  std::string profile = {};  ///< that it belongs to: "quick"
+};
+
+/// U_L [m/s] as names of runs and measurements have it: two decimals, or as many as it has: "0.10", "0.105".
+std::string velocity_text(double superficial_velocity);
+
+/// The runs of a profile ("quick", "full") and what sets it apart from the paper, from
+/// experiments/peng_2014/profiles.toml.
+struct Profile {
+  std::string name;
+  std::vector<std::string> differences;  ///< sentences, shown on each figure
+  std::vector<RunSpec> runs;
+  std::set<std::string> whole = {};     ///< run_key of those that figures draw sample by sample: published unthinned
+  bool goes_on_from_published = false;  ///< what is published and up to date is not simulated again
+};
+Profile load_profile(const std::string& name);
+/// In the order of the file.
+std::vector<std::string> profile_names();
+
+/// The profile and the runs of the full one: what figures and claims use where results exist. Only the profile's own
+/// runs are simulated with it.
+Profile with_full_runs(Profile profile);
+
+/// A finished run with the specification it answers.
+struct FinishedRun {
+  RunSpec spec;
+  Scene scene;
+  RunResult result;
+  bool published = false;                  ///< read from the committed results rather than from this machine
+  bool stale = false;                      ///< made by an older numerics version
+  std::optional<RunSummary> summary = {};  ///< of the whole series, where `result` holds thinned ones
+};
+
+/// Finished runs of a profile: first this machine's (`out`/runs), then the committed ones
+/// (reports/published/peng_2014/runs).
+std::vector<FinishedRun> finished_runs(const Profile& profile, const std::filesystem::path& out);
+
+/// Those of `runs` that this machine made for the profile.
+std::vector<FinishedRun> own_runs(std::vector<FinishedRun> runs, const std::string& profile);
+
+/// The committed runs of a profile alone, those of an older numerics version left out: what a machine's own have to
+/// agree with.
+std::vector<FinishedRun> published_runs(const Profile& profile);
+
+/// Runs that keep the springs of the scene, where the other profiles soften them: those of springs and paper-steps.
+std::vector<FinishedRun> runs_with_own_springs(const std::filesystem::path& out);
+
+}  // namespace slfb

@@ -1,0 +1,67 @@
+#include "experiments/runs/run_files.hpp"
+
+#include <fmt/format.h>
+
+#include <stdexcept>
+
+#include "solver/support/folders.hpp"
+
+namespace slfb {
+
+Scene load_run_scene(const RunSpec& spec) {
+  return load_scene(source_folder() / "experiments" / "peng_2014" / "scenes" / spec.scene, spec.overrides);
+}
+
+std::filesystem::path run_directory(const std::filesystem::path& out, const std::string& hash) {
+  return out / "runs" / hash;
+}
+
+std::filesystem::path result_file(const std::filesystem::path& out, const std::string& hash) {
+  return run_directory(out, hash) / "result.h5";
+}
+
+RunResult load_own_result(const std::filesystem::path& out, const std::string& hash) {
+  try {
+    return load_result(result_file(out, hash));
+  } catch (const std::runtime_error& error) {
+    throw std::runtime_error(fmt::format("{}; remove it to have it simulated again", error.what()));
+  }
+}
+
+namespace {
+
+std::filesystem::path published(const RunSpec& spec, const char* ending) {
+  const std::string variant = spec.variant.empty() ? "default" : spec.variant;
+  return source_folder() / "reports" / "published" / "peng_2014" / "runs" / spec.profile /
+         fmt::format("{}_{}_{}{}", spec.system, velocity_text(spec.superficial_velocity), variant, ending);
+}
+
+/// Keeps every `stride`-th value and the last one.
+void thin(std::vector<double>& values, std::size_t stride) {
+  if (values.empty()) return;
+  const double last = values.back();
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < values.size(); i += stride) values[kept++] = values[i];
+  const bool ends = (values.size() - 1) % stride == 0;
+  values.resize(kept);
+  if (!ends) values.push_back(last);
+}
+
+}  // namespace
+
+std::filesystem::path published_file(const RunSpec& spec) { return published(spec, ".h5"); }
+std::filesystem::path published_summary(const RunSpec& spec) { return published(spec, ".json"); }
+
+void publish_result(const RunSpec& spec, const RunResult& result, bool whole) {
+  const auto file = published_file(spec);
+  std::filesystem::create_directories(file.parent_path());
+  save_summary(summarise(spec.system, parse_scene(result.scene_text, result.name), result), published_summary(spec));
+  RunResult thinned = result;
+  for_each_column(thinned.bed, [](std::vector<double>& column) { thin(column, 5); });
+  for (std::size_t d = whole ? 1 : 0; d < thinned.drops.size(); ++d)
+    for_each_column(thinned.drops[d], [](std::vector<double>& column) { thin(column, 20); });
+  if (!whole) thinned.snapshots.clear();
+  save_result(thinned, file);
+}
+
+}  // namespace slfb

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "experiments/runs/campaign.hpp"
+
+/// Where the scenes of a profile come from and where their results lie.
+namespace slfb {
+
+/// The scene of a specification with its overrides, read from experiments/scenes.
+Scene load_run_scene(const RunSpec& spec);
+
+/// Folder of one run: checkpoint, snapshots, scene.toml and, once finished, result.h5.
+std::filesystem::path run_directory(const std::filesystem::path& out, const std::string& hash);
+
+/// The result of a finished run.
+std::filesystem::path result_file(const std::filesystem::path& out, const std::string& hash);
+
+/// Reads it. Throws std::runtime_error with the way out where it is damaged.
+RunResult load_own_result(const std::filesystem::path& out, const std::string& hash);
+
+/// The committed result of a specification: "quick/6in5W_0.06_default.h5" in reports/published/peng_2014/runs.
+std::filesystem::path published_file(const RunSpec& spec);
+
+/// What was measured in it, from the whole series: the same name with .json.
+std::filesystem::path published_summary(const RunSpec& spec);
+
+/// Puts a finished result where it can be committed: its summary, and its series thinned to what figures draw, the bed
+/// at every fifth sample and drops at every twentieth. With `whole` the first drop stays as it was recorded, and the
+/// snapshots stay.
+void publish_result(const RunSpec& spec, const RunResult& result, bool whole);
+
+}  // namespace slfb
