@@ -8,16 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "experiments/commands/bench.hpp"
-#include "experiments/commands/check.hpp"
-#include "experiments/commands/compare.hpp"
-#include "experiments/commands/figures.hpp"
-#include "experiments/commands/frontier.hpp"
-#include "experiments/commands/laws.hpp"
-#include "experiments/commands/list.hpp"
-#include "experiments/commands/plan.hpp"
-#include "experiments/commands/run.hpp"
-#include "experiments/commands/stability.hpp"
+#include "experiments/commands/commands.hpp"
 #include "solver/scene/scene.hpp"
 
 namespace {

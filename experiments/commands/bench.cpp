@@ -1,7 +1,6 @@
-#include "experiments/commands/bench.hpp"
-
 #include <fmt/core.h>
 
+#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -10,6 +9,7 @@
 #include <vector>
 
 #include "experiments/commands/above_zero.hpp"
+#include "experiments/commands/commands.hpp"
 #include "experiments/numerics/bench/coupled_bench.hpp"
 #include "experiments/numerics/bench/dem_bench.hpp"
 #include "experiments/numerics/bench/fluid_bench.hpp"

@@ -1,8 +1,7 @@
-#include "experiments/commands/check.hpp"
-
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
@@ -15,6 +14,7 @@
 
 #include "experiments/claims/claims.hpp"
 #include "experiments/claims/measured_file.hpp"
+#include "experiments/commands/commands.hpp"
 #include "experiments/peng_2014/causes/causes.hpp"
 #include "experiments/runs/campaign.hpp"
 #include "experiments/runs/measure.hpp"

@@ -1,8 +1,7 @@
-#include "experiments/commands/compare.hpp"
-
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -16,6 +15,7 @@
 #include <thread>
 
 #include "experiments/commands/above_zero.hpp"
+#include "experiments/commands/commands.hpp"
 #include "experiments/compare/bed_figures.hpp"
 #include "experiments/compare/contact_report.hpp"
 #include "experiments/compare/drag_report.hpp"

@@ -1,7 +1,6 @@
-#include "experiments/commands/figures.hpp"
-
 #include <fmt/format.h>
 
+#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <filesystem>
 #include <memory>
@@ -12,6 +11,7 @@
 
 #include "experiments/claims/claims.hpp"
 #include "experiments/commands/above_zero.hpp"
+#include "experiments/commands/commands.hpp"
 #include "experiments/figures/figure.hpp"
 #include "experiments/peng_2014/causes/causes.hpp"
 #include "experiments/peng_2014/inconsistencies.hpp"

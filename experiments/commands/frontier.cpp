@@ -1,8 +1,7 @@
-#include "experiments/commands/frontier.hpp"
-
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <filesystem>
 #include <memory>
@@ -11,6 +10,7 @@
 #include <vector>
 
 #include "experiments/commands/above_zero.hpp"
+#include "experiments/commands/commands.hpp"
 #include "experiments/numerics/frontier/frontier_chart.hpp"
 #include "experiments/numerics/frontier/study.hpp"
 #include "solver/support/folders.hpp"

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cctype>
 #include <cmath>
@@ -11,6 +12,7 @@
 #include <stdexcept>
 #include <vector>
 
+#include "experiments/commands/commands.hpp"
 #include "reports/law_plot.hpp"
 
 namespace slfb {

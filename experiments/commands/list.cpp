@@ -1,8 +1,7 @@
-#include "experiments/commands/list.hpp"
-
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <filesystem>
 #include <map>
@@ -10,6 +9,7 @@
 #include <vector>
 
 #include "experiments/claims/claims.hpp"
+#include "experiments/commands/commands.hpp"
 #include "experiments/figures/figure.hpp"
 #include "experiments/runs/campaign.hpp"
 #include "solver/support/folders.hpp"

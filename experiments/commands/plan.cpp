@@ -1,8 +1,9 @@
-#include "experiments/commands/plan.hpp"
+#include "experiments/numerics/plan/plan.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
@@ -11,7 +12,7 @@
 #include <optional>
 
 #include "experiments/commands/above_zero.hpp"
-#include "experiments/numerics/plan/plan.hpp"
+#include "experiments/commands/commands.hpp"
 #include "experiments/numerics/studies/trial.hpp"
 #include "experiments/peng_2014/planned_figures/figure_plans.hpp"
 #include "experiments/runs/measure.hpp"

@@ -1,7 +1,6 @@
-#include "experiments/commands/run.hpp"
-
 #include <fmt/format.h>
 
+#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
@@ -11,6 +10,7 @@
 #include <thread>
 #include <vector>
 
+#include "experiments/commands/commands.hpp"
 #include "experiments/numerics/plan/plan.hpp"
 #include "experiments/quantities/analysis.hpp"
 #include "experiments/runs/measure.hpp"

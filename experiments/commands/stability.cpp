@@ -1,9 +1,8 @@
-#include "experiments/commands/stability.hpp"
-
 #include <fmt/chrono.h>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <atomic>
 #include <ctime>
@@ -15,6 +14,7 @@
 #include <vector>
 
 #include "experiments/commands/above_zero.hpp"
+#include "experiments/commands/commands.hpp"
 #include "experiments/numerics/stability/map.hpp"
 #include "experiments/numerics/stability/map_chart.hpp"
 #include "experiments/runs/stop_signals.hpp"

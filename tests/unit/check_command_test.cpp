@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
@@ -8,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "experiments/commands/check.hpp"
+#include "experiments/commands/commands.hpp"
 
 namespace slfb {
 namespace {

@@ -1,10 +1,9 @@
 // What a comparison says of laws: planted faults are found, and nothing else; claims side by side are judged by their
 // intervals; errors come before any work.
 
-#include "experiments/commands/compare.hpp"
-
 #include <gtest/gtest.h>
 
+#include <CLI/CLI.hpp>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
@@ -16,6 +15,7 @@
 
 #include "correlations/classification/force_balance.hpp"
 #include "correlations/drag/drag_laws.hpp"
+#include "experiments/commands/commands.hpp"
 #include "experiments/compare/candidates.hpp"
 #include "experiments/compare/drag_study.hpp"
 #include "experiments/peng_2014/paper_conditions.hpp"

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
@@ -11,6 +12,7 @@
 #include <vector>
 
 #include "correlations/catalogue.hpp"
+#include "experiments/commands/commands.hpp"
 #include "experiments/commands/laws.hpp"
 
 namespace slfb {
