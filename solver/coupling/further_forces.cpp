@@ -96,31 +96,35 @@ void FurtherForces::disturb(std::size_t i, dem::Vec3 force_on_liquid, double con
   self_induced_[i] = disturbance_.advance(self_induced_[i], force_on_liquid, concentration, voidage, slip, time_step_);
 }
 
-std::vector<double> FurtherForces::state() const {
-  std::vector<double> state{static_cast<double>(sphere_now_.size())};
-  for (const auto* vectors : {&self_induced_, &liquid_now_, &sphere_now_})
-    for (const dem::Vec3& v : *vectors) state.insert(state.end(), {v.x, v.y, v.z});
+NamedFields FurtherForces::state() const {
+  NamedFields state;
+  const auto write = [&](const std::string& name, const std::vector<dem::Vec3>& vectors) {
+    auto &x = state[name + "_x"], &y = state[name + "_y"], &z = state[name + "_z"];
+    for (const dem::Vec3& v : vectors) x.push_back(v.x), y.push_back(v.y), z.push_back(v.z);
+  };
+  write("self_induced", self_induced_);
+  write("liquid_velocity", liquid_now_);
+  write("sphere_velocity", sphere_now_);
   if (history_) {
     const BassetHistory::State history = history_->state();
-    state.push_back(static_cast<double>(history.newest));
-    state.insert(state.end(), history.spheres.begin(), history.spheres.end());
+    state["basset_history"] = history.spheres;
+    state["basset_newest"] = {static_cast<double>(history.newest)};
   }
   return state;
 }
 
-void FurtherForces::restore(const std::vector<double>& state) {
-  const auto n = static_cast<std::size_t>(state.at(0));
-  std::size_t next = 1;
-  for (auto* vectors : {&self_induced_, &liquid_now_, &sphere_now_}) {
-    vectors->resize(n);
-    for (dem::Vec3& v : *vectors) {
-      v = {state.at(next), state.at(next + 1), state.at(next + 2)};
-      next += 3;
-    }
-  }
-  if (!history_) return;
-  const auto newest = static_cast<std::size_t>(state.at(next));
-  history_->restore({{state.begin() + static_cast<std::ptrdiff_t>(next) + 1, state.end()}, newest});
+void FurtherForces::restore(const NamedFields& state) {
+  const auto read = [&](const std::string& name, std::vector<dem::Vec3>& vectors) {
+    const auto &x = field_of(state, name + "_x"), &y = field_of(state, name + "_y"), &z = field_of(state, name + "_z");
+    vectors.clear();
+    for (std::size_t i = 0; i < x.size(); ++i) vectors.push_back({x[i], y.at(i), z.at(i)});
+  };
+  read("self_induced", self_induced_);
+  read("liquid_velocity", liquid_now_);
+  read("sphere_velocity", sphere_now_);
+  if (history_)
+    history_->restore(
+        {field_of(state, "basset_history"), static_cast<std::size_t>(field_of(state, "basset_newest").at(0))});
 }
 
 }  // namespace slfb::coupling

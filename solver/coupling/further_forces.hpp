@@ -10,6 +10,7 @@
 #include "solver/dem/particles.hpp"
 #include "solver/dem/vec3.hpp"
 #include "solver/scene/scene.hpp"
+#include "solver/support/named_fields.hpp"
 
 namespace slfb::coupling {
 
@@ -58,9 +59,11 @@ class FurtherForces {
   /// After the step: the force of sphere i on the liquid acts on what it will read.
   void disturb(std::size_t i, dem::Vec3 force_on_liquid, double concentration, double voidage, double slip);
 
-  /// All that the next step depends on, for checkpoints.
-  [[nodiscard]] std::vector<double> state() const;
-  void restore(const std::vector<double>& state);
+  /// All that the next step depends on, for checkpoints: self_induced_x and so on, liquid_velocity_x, sphere_velocity_x
+  /// per sphere [m/s]; basset_history and basset_newest where that force is on.
+  [[nodiscard]] NamedFields state() const;
+  /// \throws std::runtime_error if a field is missing, std::invalid_argument if the history has another window
+  void restore(const NamedFields& state);
 
  private:
   Coupling coupling_;

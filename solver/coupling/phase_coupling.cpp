@@ -61,32 +61,31 @@ int PhaseCoupling::steps_per_interval() const {
   return static_cast<int>(std::max(1L, std::lround(scene_.coupling.void_fraction_interval / scene_.fluid.time_step)));
 }
 
-std::vector<double> PhaseCoupling::interval_state() const {
-  if (interval_centres_.x.empty() || interval_step_ >= interval_steps_) return {};
-  std::vector<double> state{static_cast<double>(interval_steps_), static_cast<double>(interval_step_)};
-  for (const auto* field :
-       {&interval_start_, &interval_end_, &interval_centres_.x, &interval_centres_.y, &interval_centres_.z})
-    state.insert(state.end(), field->begin(), field->end());
+NamedFields PhaseCoupling::state() const {
+  NamedFields state{{"liquid_volume", liquid_before_}};
+  add_part(state, "forces_beyond_drag", further_.state());
+  if (interval_centres_.x.empty() || interval_step_ >= interval_steps_) return state;
+  state["interval/steps"] = {static_cast<double>(interval_steps_), static_cast<double>(interval_step_)};
+  state["interval/liquid_at_start"] = interval_start_;
+  state["interval/liquid_at_end"] = interval_end_;
+  state["interval/centre_x"] = interval_centres_.x;
+  state["interval/centre_y"] = interval_centres_.y;
+  state["interval/centre_z"] = interval_centres_.z;
   return state;
 }
 
-void PhaseCoupling::restore(std::vector<double> liquid_volume, const dem::Particles& particles,
-                            const std::vector<double>& interval_state, const std::vector<double>& further_state) {
-  liquid_before_ = std::move(liquid_volume);
-  further_.restore(further_state);
+void PhaseCoupling::restore(const NamedFields& state, const dem::Particles& particles) {
+  liquid_before_ = field_of(state, "liquid_volume");
+  further_.restore(part_of(state, "forces_beyond_drag"));
   cells_valid_ = velocity_is_gathered_ = false;
-  if (interval_state.empty()) return;
-  auto next = interval_state.begin();
-  interval_steps_ = static_cast<int>(*next++);
-  interval_step_ = static_cast<int>(*next++);
-  const auto read = [&](std::vector<double>& field, std::size_t size) {
-    field.assign(next, next + static_cast<std::ptrdiff_t>(size));
-    next += static_cast<std::ptrdiff_t>(size);
-  };
-  const std::size_t n = particles.size();
-  read(interval_start_, liquid_->grid().size());
-  read(interval_end_, liquid_->grid().size());
-  for (auto* field : {&interval_centres_.x, &interval_centres_.y, &interval_centres_.z}) read(*field, n);
+  if (!state.contains("interval/steps")) return;
+  const auto& steps = field_of(state, "interval/steps");
+  interval_steps_ = static_cast<int>(steps.at(0));
+  interval_step_ = static_cast<int>(steps.at(1));
+  interval_start_ = field_of(state, "interval/liquid_at_start");
+  interval_end_ = field_of(state, "interval/liquid_at_end");
+  interval_centres_ = {field_of(state, "interval/centre_x"), field_of(state, "interval/centre_y"),
+                       field_of(state, "interval/centre_z")};
   shares_->update(interval_centres_, particles.radius, 1);
 }
 
@@ -351,7 +350,7 @@ void PhaseCoupling::advance(dem::Engine& engine, double time_step) {
   if (further_.any()) apply_further_forces(engine);
   read_at_spheres(engine, time_step);
   const bool implicit = scene_.coupling.exchange == MomentumExchange::implicit;
-  fluid::LiquidSolver::State start;
+  NamedFields start;
   if (implicit) start = liquid_->state();
   for (;; ++passes_) {
     give_to_liquid(engine, time_step);

@@ -65,14 +65,16 @@ class PhaseCoupling {
   /// Passes over the liquid of the last step: 1 but for the implicit scheme.
   [[nodiscard]] int passes() const { return passes_; }
 
-  /// Liquid volume per cell at the last step, for checkpoints [m³].
+  /// Liquid volume per cell at the last step [m³].
   [[nodiscard]] const std::vector<double>& liquid_volume() const { return liquid_before_; }
-  /// The present interval of the void fraction, for checkpoints; empty when every step has its own.
-  [[nodiscard]] std::vector<double> interval_state() const;
-  /// What the further forces remember, for checkpoints.
-  [[nodiscard]] std::vector<double> further_state() const { return further_.state(); }
-  void restore(std::vector<double> liquid_volume, const dem::Particles& particles,
-               const std::vector<double>& interval_state, const std::vector<double>& further_state);
+
+  /// All that the next step depends on beside the spheres and the liquid, for checkpoints: liquid_volume per cell [m³];
+  /// of a void-fraction interval that is under way interval/steps (all, done), interval/liquid_at_start and _at_end per
+  /// cell [m³] and interval/centre_x and so on per sphere [m]; and what the forces beyond drag remember, as
+  /// forces_beyond_drag/...
+  [[nodiscard]] NamedFields state() const;
+  /// Continues from a state() with the spheres of the same moment. \throws std::runtime_error if a field is missing
+  void restore(const NamedFields& state, const dem::Particles& particles);
 
  private:
   using LawKernel = std::function<void(std::span<const double> voidage, std::span<const double> reynolds,

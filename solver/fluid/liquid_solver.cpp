@@ -1037,29 +1037,29 @@ double LiquidSolver::inlet_pressure() const {
   return sum / grid_.section_area();
 }
 
-LiquidSolver::State LiquidSolver::state() const {
-  State state;
+NamedFields LiquidSolver::state() const {
+  NamedFields state;
   for (std::size_t a = 0; a < 3; ++a) {
-    state[a] = component_[a].velocity;
-    state[3 + a] = component_[a].viscous;
-    state[6 + a] = component_[a].earlier;
+    state[fmt::format("velocity_{}", "xyz"[a])] = component_[a].velocity;
+    state[fmt::format("viscous_{}", "xyz"[a])] = component_[a].viscous;
+    state[fmt::format("earlier_velocity_{}", "xyz"[a])] = component_[a].earlier;
   }
-  state[9] = earlier_volume_;
-  state[10] = last_volume_;
-  state[11] = pressure_;
+  state["earlier_volume"] = earlier_volume_;
+  state["last_volume"] = last_volume_;
+  state["pressure"] = pressure_;
   return state;
 }
 
-void LiquidSolver::restore(const State& state) {
+void LiquidSolver::restore(const NamedFields& state) {
   for (std::size_t a = 0; a < 3; ++a) {
-    component_[a].velocity = state[a];
-    component_[a].viscous = state[3 + a];
-    component_[a].earlier = state[6 + a];
+    component_[a].velocity = field_of(state, fmt::format("velocity_{}", "xyz"[a]));
+    component_[a].viscous = field_of(state, fmt::format("viscous_{}", "xyz"[a]));
+    component_[a].earlier = field_of(state, fmt::format("earlier_velocity_{}", "xyz"[a]));
   }
-  earlier_volume_ = state[9];
-  last_volume_ = state[10];
+  earlier_volume_ = field_of(state, "earlier_volume");
+  last_volume_ = field_of(state, "last_volume");
   nodes_hold_last_volume_ = false;
-  pressure_ = state[11];
+  pressure_ = field_of(state, "pressure");
   update_pressure_gradient<false>();
 }
 

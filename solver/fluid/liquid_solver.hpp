@@ -8,6 +8,7 @@
 #include "solver/fluid/column_grid.hpp"
 #include "solver/fluid/pressure_equation.hpp"
 #include "solver/scene/scene.hpp"
+#include "solver/support/named_fields.hpp"
 
 namespace slfb::fluid {
 
@@ -109,13 +110,12 @@ class LiquidSolver {
   };
   [[nodiscard]] const Cost& cost() const { return cost_; }
 
-  /// Fields that the next step starts from, for checkpoints; those of the step before it only in second order.
-  static constexpr std::array<const char*, 12> state_names{
-      "velocity_x",         "velocity_y",         "velocity_z",         "viscous_x",      "viscous_y",   "viscous_z",
-      "earlier_velocity_x", "earlier_velocity_y", "earlier_velocity_z", "earlier_volume", "last_volume", "pressure"};
-  using State = std::array<std::vector<double>, state_names.size()>;
-  [[nodiscard]] State state() const;
-  void restore(const State& state);
+  /// Fields that the next step starts from, for checkpoints: velocity_x and so on [m/s] and viscous_x [N/m³] on the
+  /// nodes, last_volume [m³] and pressure [Pa] per cell; of the step before (earlier_velocity_x, earlier_volume) only
+  /// in second order, else empty.
+  [[nodiscard]] NamedFields state() const;
+  /// \throws std::runtime_error if a field is missing
+  void restore(const NamedFields& state);
 
  private:
   /// One velocity component: nodes numbered section node * levels + level.

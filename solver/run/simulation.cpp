@@ -77,6 +77,23 @@ std::vector<dem::ContactRecord> read_contacts(const io::Hdf5File& h5, const std:
   return records;
 }
 
+void write_fields(io::Hdf5File& h5, const std::string& group, const NamedFields& fields) {
+  for (const auto& [name, values] : fields) h5.write(fmt::format("{}/{}", group, name), values);
+}
+
+/// What write_fields wrote: the data sets of a group, and those of its groups as "part/name".
+NamedFields read_fields(const io::Hdf5File& h5, const std::string& group) {
+  NamedFields fields;
+  for (const std::string& name : h5.children(group)) {
+    const std::string path = fmt::format("{}/{}", group, name);
+    if (name == "interval" || name == "forces_beyond_drag")
+      add_part(fields, name, read_fields(h5, path));
+    else
+      fields[name] = h5.read_doubles(path);
+  }
+  return fields;
+}
+
 /// Where a run stands: the stage, the steps done in it, and for drops the sphere and its phase.
 struct Position {
   std::int64_t stage = 0, steps = 0, repetition = 0, falling = 0, phase_steps = 0;
@@ -552,21 +569,15 @@ void Simulation::save(const std::filesystem::path& file) const {
     write_vector("neighbour_list/position", memory.list_position);
     h5.write("neighbour_list/lengths", std::vector<double>{memory.skin, memory.travel, memory.margin}, "m");
     h5.write("integrator", memory.integrator);
-    if (liquid_) {
-      const auto state = liquid_->state();
-      for (std::size_t f = 0; f < state.size(); ++f)
-        h5.write(fmt::format("liquid/{}", fluid::LiquidSolver::state_names[f]), state[f]);
-      h5.write("liquid/volume", coupled_->liquid_volume());
-    }
+    if (liquid_) write_fields(h5, "liquid", liquid_->state());
+    write_fields(h5, "still", still_->state());
+    write_fields(h5, "coupled", coupled_->state());
     h5.write("clock", std::vector<std::int64_t>{memory.list_step, memory.steps, position_.stage, position_.steps,
                                                 position_.repetition, position_.falling, position_.phase_steps,
                                                 fluidised_steps_, foreign_});
     std::vector<double> sums(balance_.force.begin(), balance_.force.end());
     sums.insert(sums.end(), {balance_steps_, largest_residual_, liquid_momentum_, balanced_ ? 1.0 : 0.0,
                              tracked_force_[0], tracked_force_[1], tracked_force_[2], tracked_steps_});
-    h5.write("still/further_forces", still_->further_state());
-    h5.write("coupled/further_forces", coupled_->further_state());
-    h5.write("coupled/void_fraction_interval", coupled_->interval_state());
     h5.write("particles/added_mass", particles.added_mass);
     h5.write("sums_since_last_sample", sums);
     h5.write_attribute("/", "scene_hash", scene_hash(scene_));
@@ -611,15 +622,9 @@ bool Simulation::resume(const std::filesystem::path& file) {
   fluidised_steps_ = clock.at(7);
   foreign_ = clock.at(8);
   if (foreign_ >= 0) engine_.track(static_cast<std::size_t>(foreign_));
-  if (liquid_) {
-    std::array<std::vector<double>, fluid::LiquidSolver::state_names.size()> state;
-    for (std::size_t f = 0; f < state.size(); ++f)
-      state[f] = h5.read_doubles(fmt::format("liquid/{}", fluid::LiquidSolver::state_names[f]));
-    liquid_->restore(state);
-  }
-  still_->restore({}, engine_.particles, {}, h5.read_doubles("still/further_forces"));
-  coupled_->restore(liquid_ ? h5.read_doubles("liquid/volume") : std::vector<double>{}, engine_.particles,
-                    h5.read_doubles("coupled/void_fraction_interval"), h5.read_doubles("coupled/further_forces"));
+  if (liquid_) liquid_->restore(read_fields(h5, "liquid"));
+  still_->restore(read_fields(h5, "still"), engine_.particles);
+  coupled_->restore(read_fields(h5, "coupled"), engine_.particles);
   const auto sums = h5.read_doubles("sums_since_last_sample");
   std::copy_n(sums.begin(), balance_.force.size(), balance_.force.begin());
   const auto sum = [&](std::size_t k) { return sums.at(balance_.force.size() + k); };

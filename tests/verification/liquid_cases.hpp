@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <functional>
+#include <string>
 #include <vector>
 
 #include "solver/fluid/liquid_solver.hpp"
@@ -53,8 +54,10 @@ inline std::vector<double> liquid_volumes(const fluid::ColumnGrid& grid, const F
 inline void start_from(fluid::LiquidSolver& liquid, const std::array<Field, 3>& velocity, const Field& pressure) {
   auto state = liquid.state();
   for (std::size_t a = 0; a < 3; ++a)
-    for (std::size_t n = 0; n < liquid.nodes(a); ++n) state[a][n] = velocity[a](liquid.position(a, n));
-  for (std::size_t c = 0; c < liquid.grid().size(); ++c) state.back()[c] = pressure(cell_position(liquid.grid(), c));
+    for (std::size_t n = 0; n < liquid.nodes(a); ++n)
+      state.at(std::string("velocity_") + "xyz"[a])[n] = velocity[a](liquid.position(a, n));
+  for (std::size_t c = 0; c < liquid.grid().size(); ++c)
+    state.at("pressure")[c] = pressure(cell_position(liquid.grid(), c));
   liquid.restore(state);
 }
 

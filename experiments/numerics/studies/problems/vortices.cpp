@@ -34,11 +34,11 @@ TrialResult solve(const Scene& given, const Parameters& parameters, int) {
   for (const std::size_t a : {std::size_t{0}, std::size_t{1}})
     for (std::size_t n = 0; n < liquid.nodes(a); ++n) {
       const auto at = liquid.position(a, n);
-      state[a][n] = velocity(a, at[0], at[1], 0.0);
+      state.at(a == 0 ? "velocity_x" : "velocity_y")[n] = velocity(a, at[0], at[1], 0.0);
     }
   for (std::size_t c = 0; c < liquid.grid().size(); ++c) {
     const auto centre = liquid.grid().centre(static_cast<int>(c) / liquid.grid().layers());
-    state.back()[c] = 0.25 * (std::cos(2.0 * wave * centre[0]) + std::cos(2.0 * wave * centre[1]));
+    state.at("pressure")[c] = 0.25 * (std::cos(2.0 * wave * centre[0]) + std::cos(2.0 * wave * centre[1]));
   }
   liquid.restore(state);
   std::vector<double> volume(liquid.grid().size());

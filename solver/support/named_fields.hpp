@@ -1,0 +1,39 @@
+#pragma once
+
+#include <fmt/core.h>
+
+#include <map>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace slfb {
+
+/// A state by name, as a checkpoint stores it: each field is a list of numbers in SI units under a name such as
+/// "velocity_x". A name with a slash, "interval/steps", belongs to a part of its owner.
+using NamedFields = std::map<std::string, std::vector<double>>;
+
+/// The field of that name. \throws std::runtime_error if there is none
+inline const std::vector<double>& field_of(const NamedFields& fields, const std::string& name) {
+  const auto found = fields.find(name);
+  if (found == fields.end()) throw std::runtime_error(fmt::format("the state has no field \"{}\"", name));
+  return found->second;
+}
+
+/// Adds the fields of a part as "part/name".
+inline void add_part(NamedFields& fields, std::string_view part, NamedFields of_part) {
+  for (auto& [name, values] : of_part) fields[fmt::format("{}/{}", part, name)] = std::move(values);
+}
+
+/// The fields of a part by their own names; empty if it has none.
+inline NamedFields part_of(const NamedFields& fields, std::string_view part) {
+  const std::string start = fmt::format("{}/", part);
+  NamedFields result;
+  for (const auto& [name, values] : fields)
+    if (name.starts_with(start)) result[name.substr(start.size())] = values;
+  return result;
+}
+
+}  // namespace slfb
