@@ -11,6 +11,7 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "experiments/figures/figure_folder.hpp"
 #include "experiments/runs/measure.hpp"
 #include "experiments/runs/run_files.hpp"
 #include "reports/claim_table.hpp"
@@ -164,7 +165,8 @@ std::string neighbours(const ReportContents& contents, std::size_t place) {
 std::string measurement(const Figure& figure) {
   const fs::path readme = source_folder() / "experiments" / figure.folder / "README.md";
   if (figure.folder.empty() || !fs::exists(readme)) return "";
-  return "<h2>How it is measured</h2>\n<div class=\"prose\">" + markdown_html(read_file(readme)) + "</div>\n";
+  return "<h2>How it is measured</h2>\n<div class=\"prose\">" + markdown_html(figure_definitions(read_file(readme))) +
+         "</div>\n";
 }
 
 /// Picture, caption, claims, `measured`, doubts, simulations and commands of one figure.

@@ -30,6 +30,19 @@ std::string read_file(const fs::path& file) {
   return text.str();
 }
 
+/// `text` between single quotes, its markup kept.
+std::string quoted(const std::string& text) {
+  std::string result = "'";
+  for (const char character : text) {
+    if (character == '\'') result += '\'';
+    result += character;
+  }
+  return result + "'";
+}
+
+/// A value as gnuplot reads it.
+std::string number_text(double value) { return std::isnan(value) ? "NaN" : fmt::format("{:.9g}", value); }
+
 /// The script draws itself once per format: loaded without `format` it loads itself for each, then leaves.
 constexpr const char* prologue = R"(# {id}: redraw it with `gnuplot {id}.gp` in the folder of its CSV files.
 if (!exists("format")) {{ do for [format in "{formats}"] {{ load '{id}.gp' }}; exit }}
@@ -58,6 +71,48 @@ fs::path write_csv(const DataTable& table, const fs::path& folder) {
   fs::path file = folder / (table.name + ".csv");
   write_file(file, text.str());
   return file;
+}
+
+void PlotValues::number(const std::string& name, double value) {
+  commands_ += fmt::format("{} = {}\n", name, number_text(value));
+}
+
+void PlotValues::text(const std::string& name, const std::string& value) {
+  commands_ += fmt::format("{} = {}\n", name, gnuplot_text(value));
+}
+
+void PlotValues::markup(const std::string& name, const std::string& value) {
+  commands_ += fmt::format("{} = {}\n", name, quoted(value));
+}
+
+void PlotValues::numbers(const std::string& name, const std::vector<double>& values) {
+  std::vector<std::string> items;
+  for (const double value : values) items.push_back(number_text(value));
+  list(name, items);
+}
+
+void PlotValues::texts(const std::string& name, const std::vector<std::string>& values) {
+  std::vector<std::string> items;
+  for (const std::string& value : values) items.push_back(gnuplot_text(value));
+  list(name, items);
+}
+
+void PlotValues::markups(const std::string& name, const std::vector<std::string>& values) {
+  std::vector<std::string> items;
+  for (const std::string& value : values) items.push_back(quoted(value));
+  list(name, items);
+}
+
+void PlotValues::list(const std::string& name, const std::vector<std::string>& items) {
+  // gnuplot has no empty arrays.
+  commands_ += items.empty() ? fmt::format("{0}_count = 0\narray {0}[1]\n", name)
+                             : fmt::format("{0}_count = {1}\narray {0}[{1}] = [{2}]\n", name, items.size(),
+                                           fmt::join(items, ", "));
+}
+
+void draw_plot(const std::string& id, const fs::path& plot, const PlotValues& values, const Canvas& canvas,
+               const fs::path& folder, const std::string& set_up, const std::vector<std::string>& formats) {
+  draw_figure(id, set_up + values.commands() + "\n" + read_file(plot), canvas, folder, formats);
 }
 
 void draw_figure(const std::string& id, const std::string& commands, const Canvas& canvas, const fs::path& folder,

@@ -24,6 +24,40 @@ struct Canvas {
   int height = 400;
 };
 
+/// What a plot reads besides its tables: gnuplot variables, set above it in ID.gp.
+///
+/// A list becomes an array NAME[1…] and its length NAME_count, 0 for an empty list, so that a plot can say
+/// `plot for [i=1:series_count] series[i].'.csv' skip 1 using 1:2 with points title series_title[i]`.
+class PlotValues {
+ public:
+  void number(const std::string& name, double value);
+  /// Shown as written: gnuplot's markup is escaped.
+  void text(const std::string& name, const std::string& value);
+  /// With gnuplot's markup: "U_{mf}".
+  void markup(const std::string& name, const std::string& value);
+  void numbers(const std::string& name, const std::vector<double>& values);
+  void texts(const std::string& name, const std::vector<std::string>& values);
+  void markups(const std::string& name, const std::vector<std::string>& values);
+
+  /// The gnuplot commands that set them.
+  [[nodiscard]] const std::string& commands() const { return commands_; }
+
+ private:
+  void list(const std::string& name, const std::vector<std::string>& items);
+  std::string commands_;
+};
+
+/// Draws `plot`, a gnuplot file of the source tree (figure.gp of a figure's folder), with these values.
+///
+/// Writes ID.gp into `folder`: terminal, shared style (reports/style.gp), the values, then the text of `plot`. Runs it
+/// there, which leaves ID.svg, ID.png and ID.pdf, or those of `formats`. ID.gp names its data without a folder, so that
+/// `gnuplot ID.gp` beside the CSV files redraws the figure anywhere. Throws std::runtime_error with gnuplot's own
+/// message when gnuplot is missing, fails, or leaves a picture out. `set_up`: commands before the values, for what
+/// frames of figures have in common.
+void draw_plot(const std::string& id, const std::filesystem::path& plot, const PlotValues& values, const Canvas& canvas,
+               const std::filesystem::path& folder, const std::string& set_up = "",
+               const std::vector<std::string>& formats = {"svg", "png", "pdf"});
+
 /// Writes ID.gp into `folder` and runs it there, which leaves ID.svg, ID.png and ID.pdf, or those of `formats`. The
 /// script contains the shared style (reports/style.gp) and names its data without a folder, so that `gnuplot ID.gp`
 /// beside the CSV files redraws the figure anywhere. Throws std::runtime_error with gnuplot's own message when gnuplot

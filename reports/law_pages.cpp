@@ -259,7 +259,7 @@ void write_law_pages(const fs::path& folder) {
   fs::create_directories(laws);
   const fs::path data = source_folder() / "reference-data";
   const std::string bibliography = read_file(data / "references.bib");
-  const std::vector<CheckValue> checks = read_check_values(data / "law-checks");
+  const std::vector<CheckValue> checks = read_check_values(data / "law_checks");
   for (const CatalogueEntry& entry : catalogue()) {
     const LawInfo& info = entry.info;
     draw_law(entry, drawn_arguments(info), std::string(info.name), laws, {"svg"});

@@ -210,6 +210,34 @@ std::string plot_variants_against_bed(std::string_view quantity, const std::stri
   return elements;
 }
 
+void add_series(const std::string& name, const std::vector<Series>& series, PlotValues& values,
+                const FigureContext& context, FigureOutput& output) {
+  std::vector<std::string> tables, titles;
+  std::vector<double> styles;
+  for (const Series& one : series) {
+    if (one.table.rows.empty()) continue;
+    output.data.push_back(write_csv(one.table, context.out));
+    tables.push_back(one.table.name);
+    titles.push_back(one.title);
+    styles.push_back(one.line_style);
+  }
+  values.markups(name, tables);
+  values.texts(name + "_title", titles);
+  values.numbers(name + "_style", styles);
+}
+
+std::vector<Series> variants_against_bed(const std::string& id, std::string_view quantity, const std::string& heading,
+                                         std::string_view system, BedAbscissa abscissa, const FigureContext& context) {
+  std::vector<Series> series;
+  const auto variants = variants_of(context.profile, system);
+  for (std::size_t k = 0; k < variants.size(); ++k) {
+    DataTable table = against_bed(context, quantity, heading, system, variants[k], abscissa);
+    table.name = id + "_" + table.name;
+    series.push_back({std::move(table), series_title(context, system, variants[k]), slfb::line_style(k)});
+  }
+  return series;
+}
+
 std::vector<std::string> run_notes(const FigureContext& context, const std::vector<std::string>& keys) {
   std::vector<std::string> notes;
   const auto present = present_runs(context, keys);
@@ -237,38 +265,59 @@ std::vector<std::string> run_notes(const FigureContext& context, const std::vect
   return notes;
 }
 
-void draw_figure_of_runs(const std::string& id, const std::string& commands, Canvas canvas,
-                         const FigureContext& context, const std::vector<std::string>& keys,
-                         const std::vector<FinishedRun>& own_springs) {
+namespace {
+
+/// The text below a figure of runs: what sets them apart from the source, or how to simulate them.
+std::string footer_text(const std::string& id, const FigureContext& context, const std::vector<std::string>& keys,
+                        const std::vector<FinishedRun>& own_springs) {
   std::string text =
       fmt::format("Not yet simulated. \"build/slfb figures {} --profile full\" simulates it and draws it again.", id);
   const auto present = present_runs(context, keys);
   if (own_springs.empty()) {
     if (!present.empty()) text = join(differences_of(context, present), " ");
-  } else {
-    std::vector<const FinishedRun*> of_contacts;
-    for (const FinishedRun& run : own_springs) of_contacts.push_back(&run);
-    const auto sentences = differences_of(context, of_contacts);
-    std::vector<std::string> others;
-    for (std::string& sentence : differences_of(context, present))
-      if (std::ranges::find(sentences, sentence) == sentences.end()) others.push_back(std::move(sentence));
-    const std::string contacts = "Contacts and single forces: " + join(sentences, " ");
-    text = present.empty() ? text + " " + contacts : contacts + " All else: " + join(others, " ");
+    return text;
   }
+  std::vector<const FinishedRun*> of_contacts;
+  for (const FinishedRun& run : own_springs) of_contacts.push_back(&run);
+  const auto sentences = differences_of(context, of_contacts);
+  std::vector<std::string> others;
+  for (std::string& sentence : differences_of(context, present))
+    if (std::ranges::find(sentences, sentence) == sentences.end()) others.push_back(std::move(sentence));
+  const std::string contacts = "Contacts and single forces: " + join(sentences, " ");
+  return present.empty() ? text + " " + contacts : contacts + " All else: " + join(others, " ");
+}
+
+/// Makes room for the text below the picture and returns the commands that draw it there.
+std::string footer_commands(const std::string& text, Canvas& canvas) {
   const int characters = std::max(40, canvas.width / 5);
   const auto lines = wrap(text, static_cast<std::size_t>(characters));
-  const int line_height = 13;
+  constexpr int line_height = 13;
   const int text_height = line_height * static_cast<int>(lines.size()) + 8;
   canvas.height += text_height;
-  std::string head = fmt::format("height = {}\nbase = {:.5f}\nset origin 0, base\nset size 1, 1 - base\n",
-                                 canvas.height, static_cast<double>(text_height) / canvas.height);
+  std::string commands = fmt::format("height = {}\nbase = {:.5f}\nset origin 0, base\nset size 1, 1 - base\n",
+                                     canvas.height, static_cast<double>(text_height) / canvas.height);
   for (std::size_t index = 0; index < lines.size(); ++index) {
     const double height = (text_height - 4.0 - line_height * (static_cast<double>(index) + 0.5)) / canvas.height;
-    head += fmt::format("set label {} {} at screen 0.012, {:.5f} font ',9' textcolor rgb '#6b7580' front\n",
-                        901 + index, gnuplot_text(lines[index]), height);
+    commands += fmt::format("set label {} {} at screen 0.012, {:.5f} font ',9' textcolor rgb '#6b7580' front\n",
+                            901 + index, gnuplot_text(lines[index]), height);
   }
-  head += fmt::format("footer_drawn = 'unset for [tag=901:{}] label tag'\n\n", 900 + lines.size());
-  draw_figure(id, head + commands, canvas, context.out);
+  return commands + fmt::format("footer_drawn = 'unset for [tag=901:{}] label tag'\n\n", 900 + lines.size());
+}
+
+}  // namespace
+
+void draw_plot_of_runs(const std::string& id, const std::filesystem::path& plot, const PlotValues& values,
+                       Canvas canvas, const FigureContext& context, const std::vector<std::string>& keys,
+                       const std::vector<FinishedRun>& own_springs) {
+  const std::string footer = footer_commands(footer_text(id, context, keys, own_springs), canvas);
+  draw_plot(id, plot, values, canvas, context.out, footer);
+}
+
+void draw_figure_of_runs(const std::string& id, const std::string& commands, Canvas canvas,
+                         const FigureContext& context, const std::vector<std::string>& keys,
+                         const std::vector<FinishedRun>& own_springs) {
+  const std::string footer = footer_commands(footer_text(id, context, keys, own_springs), canvas);
+  draw_figure(id, footer + commands, canvas, context.out);
 }
 
 }  // namespace slfb

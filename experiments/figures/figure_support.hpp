@@ -79,9 +79,36 @@ std::string plot_against_bed(DataTable table, const std::string& title, int line
 std::string plot_variants_against_bed(std::string_view quantity, const std::string& heading, std::string_view system,
                                       BedAbscissa abscissa, const FigureContext& context, FigureOutput& output);
 
+/// A table that is drawn as one series: points with error bars.
+struct Series {
+  DataTable table;
+  std::string title;  ///< in the key, shown as written; may be empty
+  int line_style;     ///< of reports/style.gp
+};
+
+/// Writes the tables of those series that have rows and gives a plot their lists: NAME[i] (the table's name, its file
+/// without ".csv"), NAME_title[i], NAME_style[i] and NAME_count.
+void add_series(const std::string& name, const std::vector<Series>& series, PlotValues& values,
+                const FigureContext& context, FigureOutput& output);
+
+/// against_bed for the default and every variant of a system, titled by series_title. Each table is named
+/// ID_QUANTITY_SYSTEM[_VARIANT].
+std::vector<Series> variants_against_bed(const std::string& id, std::string_view quantity, const std::string& heading,
+                                         std::string_view system, BedAbscissa abscissa, const FigureContext& context);
+
 /// What a reader must know of the runs behind a figure: differences of the profile from the paper, missing runs, runs
 /// read from the committed results, runs of an older numerics version.
 std::vector<std::string> run_notes(const FigureContext& context, const std::vector<std::string>& keys);
+
+/// Draws the gnuplot file `plot` as ID (draw_plot) with the differences of the profile printed below it, or how to
+/// simulate it when no run of `keys` exists.
+///
+/// The plot may use the variables `height` (of the picture, in pixels) and `base` (the part of it that this text
+/// takes). A figure of several plots begins with `set multiplot` and calls `eval footer_drawn` after its first plot, so
+/// that the text is drawn once. `own_springs`: the runs from which contacts and single forces are taken.
+void draw_plot_of_runs(const std::string& id, const std::filesystem::path& plot, const PlotValues& values,
+                       Canvas canvas, const FigureContext& context, const std::vector<std::string>& keys,
+                       const std::vector<FinishedRun>& own_springs = {});
 
 /// Draws ID with the differences of the profile printed below it, or how to simulate it when no run of `keys` exists.
 /// `commands` may use the gnuplot variables `height` (of the picture, in pixels) and `base` (the part of it that this
