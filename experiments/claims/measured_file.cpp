@@ -9,9 +9,9 @@
 #include <limits>
 #include <set>
 
-#include "experiments/numerics/studies/table_reader.hpp"
 #include "experiments/runs/measure.hpp"
 #include "solver/support/close_names.hpp"
+#include "solver/support/toml_table.hpp"
 
 namespace slfb {
 namespace {
@@ -39,10 +39,10 @@ std::string unit_of(const std::vector<Claim>& claims, const std::string& key) {
 }  // namespace
 
 Measurements load_measured(const std::filesystem::path& file, const std::vector<Claim>& claims) {
-  const toml::table parsed = studies::parse_table(file);
-  studies::TableReader table(parsed, file.string());
+  const toml::table parsed = parse_toml_file(file);
+  TomlTable table(parsed, file.string());
   Measurements measured;
-  for (studies::TableReader& one : table.tables("measured")) {
+  for (TomlTable& one : table.tables("measured")) {
     const std::string key = one.text("measure"), unit = one.text("unit");
     Measurement measurement;
     measurement.value = one.number("value");

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <filesystem>
 
+#include "correlations/materials.hpp"
 #include "solver/coupling/phase_coupling.hpp"
 #include "solver/dem/engine.hpp"
 #include "solver/dem/walls.hpp"
@@ -41,7 +42,7 @@ double sliding_friction(const Scene& scene) {
   const double r = 0.5 * scene.species.front().diameter;
   dem::Engine engine(scene.contact, {{dem::Wall::Kind::plane, 2, 1.0, 0.0}}, unbounded, 1);
   add_bed_sphere(engine, scene, {0.0, 0.0, r});
-  const double weight = engine.particles.mass[0] * gravity;
+  const double weight = engine.particles.mass[0] * gravitational_acceleration;
   engine.external_force.z[0] = -weight;
   const auto steps = [&](double time) { return std::llround(time / engine.time_step()); };
   engine.advance(steps(1.0));  // the floor carries it
@@ -50,7 +51,8 @@ double sliding_friction(const Scene& scene) {
   const double before = engine.particles.velocity.x[0];
   const auto measured = steps(seconds);
   engine.advance(measured);
-  return (before - engine.particles.velocity.x[0]) / (gravity * static_cast<double>(measured) * engine.time_step());
+  return (before - engine.particles.velocity.x[0]) /
+         (gravitational_acceleration * static_cast<double>(measured) * engine.time_step());
 }
 
 double terminal_velocity(Scene scene) {

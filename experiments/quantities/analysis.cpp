@@ -11,6 +11,7 @@
 #include <numeric>
 #include <stdexcept>
 
+#include "correlations/materials.hpp"
 #include "solver/scene/scene.hpp"
 
 namespace slfb {
@@ -218,7 +219,7 @@ DropStatistics analyse_drop(const DropSeries& drop, const DropSurroundings& surr
   const auto passage = bed_passage(drop, surroundings.bed_top);
   if (!passage) return statistics;
   const double volume = std::numbers::pi / 6.0 * std::pow(surroundings.sphere_diameter, 3);
-  const double weight = volume * surroundings.sphere_density * gravity;
+  const double weight = volume * surroundings.sphere_density * gravitational_acceleration;
   const std::size_t last = passage->end - 1;
 
   const auto force = during(drop.contact_force, *passage);

@@ -19,11 +19,6 @@
 namespace slfb {
 namespace {
 
-double cross_section(const Geometry& geometry) {
-  return geometry.shape == Shape::cylinder ? std::numbers::pi / 4.0 * geometry.diameter * geometry.diameter
-                                           : geometry.width[0] * geometry.width[1];
-}
-
 const Species& species_named(const Scene& scene, const std::string& name) {
   const auto found =
       std::find_if(scene.species.begin(), scene.species.end(), [&](const Species& s) { return s.name == name; });
@@ -98,7 +93,7 @@ class Summary {
     add_series("contacts_per_particle", &BedSeries::contacts_per_particle);
     add_series("maximum_overlap_mean", &BedSeries::maximum_overlap);
     add_series("bed_top", &BedSeries::bed_top);
-    const double solids = solids_volume(scene_, result_), area = cross_section(scene_.geometry);
+    const double solids = solids_volume(scene_, result_), area = scene_.geometry.cross_section();
     add_series("voidage_centre_of_mass", &BedSeries::centre_of_mass_height,
                [=](double height) { return voidage_from_height(solids, area, 2.0 * height); });
     // The top is a height of centres; half a diameter of the uppermost particles stands above it.

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "correlations/materials.hpp"
 #include "solver/laws/user_law.hpp"
 #include "solver/support/stopwatch.hpp"
 
@@ -232,7 +233,7 @@ void PhaseCoupling::read_at_spheres(const dem::Engine& engine, double time_step)
       if (further) coefficient_[i] += further_coefficient_[i];
       const auto solid = engine.mean_solid_force(i);
       const std::array<double, 3> v = particles.velocity.at(i);
-      const double buoyant_weight = -gravity * (particles.mass[i] - density * volume);
+      const double buoyant_weight = -gravitational_acceleration * (particles.mass[i] - density * volume);
       damped_coefficient_[i] = coefficient_[i] / (1.0 + coefficient_[i] * per_inertia);
       for (std::size_t a = 0; a < 3; ++a) {
         double other = solid[a] + (a == 2 ? buoyant_weight : 0.0);
@@ -304,7 +305,7 @@ void PhaseCoupling::give_to_spheres(dem::Engine& engine, double time_step) {
       (*external[a])[i] = drag_[a][i] + stress_force;
       if (further_.any()) (*external[a])[i] += further_force_[a][i];
     }
-    (*external[2])[i] -= gravity * (particles.mass[i] - scene_.liquid.density * volume);
+    (*external[2])[i] -= gravitational_acceleration * (particles.mass[i] - scene_.liquid.density * volume);
   }
   velocity_is_gathered_ = liquid_ != nullptr;
 }
@@ -438,7 +439,7 @@ double PhaseCoupling::pressure_force(std::size_t i, std::size_t a) {
     smoothing_->gather(cells);
     gradient = shares_->gather(i, cells);
   }
-  return -volume_[i] * (gradient - (a == 2 ? scene_.liquid.density * gravity : 0.0));
+  return -volume_[i] * (gradient - (a == 2 ? scene_.liquid.density * gravitational_acceleration : 0.0));
 }
 
 double PhaseCoupling::drag_taken_from_liquid(std::size_t a) const {

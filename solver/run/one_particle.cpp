@@ -13,6 +13,7 @@
 #include <stdexcept>
 
 #include "correlations/drag/drag_laws.hpp"
+#include "correlations/materials.hpp"
 #include "solver/dem/lubrication.hpp"
 #include "solver/scene/scene.hpp"
 
@@ -42,7 +43,8 @@ int derivative(realtype /*time*/, N_Vector state, N_Vector rate, void* data) {
   const double wall_force = -3.0 * std::numbers::pi * fall.viscosity * fall.diameter * wall_drag * velocity;
   const double inertia = (fall.density + fall.added_mass * fall.liquid_density) * volume;
   NV_Ith_S(rate, 0) = velocity;
-  NV_Ith_S(rate, 1) = (drag + wall_force - (fall.density - fall.surrounding_density) * volume * gravity) / inertia;
+  NV_Ith_S(rate, 1) =
+      (drag + wall_force - (fall.density - fall.surrounding_density) * volume * gravitational_acceleration) / inertia;
   return std::isfinite(drag) ? 0 : -1;
 }
 

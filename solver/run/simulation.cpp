@@ -14,6 +14,7 @@
 #include <numbers>
 #include <thread>
 
+#include "correlations/materials.hpp"
 #include "solver/coupling/drag_relaxation.hpp"
 #include "solver/coupling/force_balance.hpp"
 #include "solver/coupling/phase_coupling.hpp"
@@ -237,12 +238,8 @@ void Simulation::end_stage() {
       moment += particles.volume(i) * particles.position.z[i];
       volume += particles.volume(i);
     }
-    const Geometry& geometry = scene_.geometry;
-    const double area = geometry.shape == Shape::cylinder
-                            ? 0.25 * std::numbers::pi * geometry.diameter * geometry.diameter
-                            : geometry.width[0] * geometry.width[1];
     result_.packed_height = 2.0 * moment / volume;
-    result_.packed_voidage = 1.0 - volume / (area * result_.packed_height);
+    result_.packed_voidage = 1.0 - volume / (scene_.geometry.cross_section() * result_.packed_height);
   }
   if (stage.kind == StageKind::fluidise) {
     record_plane();
@@ -373,7 +370,7 @@ void Simulation::add_to_balance(double momentum_before) {
   const auto& liquid = liquid_->vertical_forces();
   for (std::size_t i = 0; i < engine_.particles.size(); ++i)
     now.force[Balance::buoyant_weight] -=
-        gravity * (engine_.particles.mass[i] - scene_.liquid.density * engine_.particles.volume(i));
+        gravitational_acceleration * (engine_.particles.mass[i] - scene_.liquid.density * engine_.particles.volume(i));
   now.force[Balance::pressure] = liquid.pressure;
   now.force[Balance::bottom] = contacts.bottom;
   now.force[Balance::walls] = contacts.others;

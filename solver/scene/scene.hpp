@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <numbers>
 #include <optional>
 #include <string>
 #include <vector>
@@ -26,6 +27,11 @@ struct Geometry {
   double diameter = 0.0;              ///< cylinder: inner diameter [m]
   std::array<double, 2> width{0, 0};  ///< box: extent in x and y [m]
   double height = 0.0;                ///< [m]; z = 0 is the distributor, gravity acts along -z
+
+  /// Area of a horizontal cut [m²].
+  [[nodiscard]] double cross_section() const {
+    return shape == Shape::cylinder ? 0.25 * std::numbers::pi * diameter * diameter : width[0] * width[1];
+  }
 };
 
 struct Liquid {
@@ -130,8 +136,6 @@ struct Scene {
   Recording recording;
   std::uint64_t seed = 1;
 };
-
-inline constexpr double gravity = 9.81;  ///< [m/s²], as in every number of the paper
 
 /// Raised by hand when a change of the solver changes results by more than round-off; part of each run's name.
 inline constexpr int numerics_version = 4;

@@ -119,16 +119,11 @@ class PhysicsCheck {
     return scene_.geometry.shape == Shape::cylinder ? "geometry.diameter" : "geometry.width";
   }
 
-  [[nodiscard]] double cross_section() const {
-    const auto& g = scene_.geometry;
-    return g.shape == Shape::cylinder ? std::numbers::pi / 4.0 * g.diameter * g.diameter : g.width[0] * g.width[1];
-  }
-
   /// Height that the bed takes at the least.
   [[nodiscard]] double densest_bed_height() const {
     double volume = 0.0;
     for (const Species& s : scene_.species) volume += static_cast<double>(s.count) * sphere_volume(s);
-    return volume / (densest_packing * cross_section());
+    return volume / (densest_packing * scene_.geometry.cross_section());
   }
 
   void check_species() {

@@ -7,6 +7,7 @@
 #include <random>
 #include <vector>
 
+#include "correlations/materials.hpp"
 #include "solver/scene/scene.hpp"
 
 namespace slfb {
@@ -133,7 +134,7 @@ constexpr double settling = 0.25;   // V_2 in the bed [m/s]
 constexpr double height = 0.9975;   // of release [m]; no sample falls on the top of the bed
 constexpr double weight_factor = 2.0;
 
-double weight_of_sphere() { return std::numbers::pi / 6.0 * std::pow(0.006, 3) * 7800.0 * gravity; }
+double weight_of_sphere() { return std::numbers::pi / 6.0 * std::pow(0.006, 3) * 7800.0 * gravitational_acceleration; }
 
 /// A sphere that falls at two constant speeds and touches a neighbour in every other sample of the bed.
 DropSeries made_up_drop() {

@@ -7,6 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "correlations/materials.hpp"
+
 namespace slfb {
 namespace {
 
@@ -56,7 +58,7 @@ FinishedRun made_up_run(double velocity, const std::string& name, double voidage
     bed.maximum_overlap.push_back(0.01);
     bed.foreign_present.push_back(dropped ? 1.0 : 0.0);
   }
-  const double weight = std::numbers::pi / 6.0 * std::pow(0.006, 3) * 7800.0 * gravity;
+  const double weight = std::numbers::pi / 6.0 * std::pow(0.006, 3) * 7800.0 * gravitational_acceleration;
   for (const double speed : settling_speeds) {
     DropSeries drop;
     drop.release_time = 3.0;

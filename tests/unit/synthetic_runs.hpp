@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "correlations/materials.hpp"
 #include "experiments/runs/campaign.hpp"
 
 /// Made-up runs with the shape of real ones, so that figures and the report can be tested without a simulation. None
@@ -50,7 +51,7 @@ inline DropSeries drop(double superficial_velocity, double release_time, double 
   series.release_time = release_time;
   series.species = "foreign";
   const double voidage_in_bed = bed_voidage(superficial_velocity);
-  const double weight = 7800.0 * 4.0 / 3.0 * 3.14159265 * std::pow(0.003, 3) * gravity;
+  const double weight = 7800.0 * 4.0 / 3.0 * 3.14159265 * std::pow(0.003, 3) * gravitational_acceleration;
   double z = 0.997;
   double v = 0.0;
   double contacts = 0.0;

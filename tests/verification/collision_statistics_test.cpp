@@ -13,6 +13,7 @@
 #include <random>
 
 #include "correlations/collision/collision_laws.hpp"
+#include "correlations/materials.hpp"
 #include "experiments/numerics/kinetic_theory/periodic_gas.hpp"
 #include "solver/dem/engine.hpp"
 #include "solver/dem/granular_temperature.hpp"
@@ -304,7 +305,7 @@ Scene column(std::int64_t count) {
 void set_gravity(Engine& engine, double times = 1.0) {
   engine.external_force.set_zero();
   for (std::size_t i = 0; i < engine.particles.size(); ++i)
-    engine.external_force.z[i] = -times * engine.particles.mass[i] * gravity;
+    engine.external_force.z[i] = -times * engine.particles.mass[i] * gravitational_acceleration;
 }
 
 /// Volume of a sphere below a height.
@@ -327,7 +328,7 @@ PackedBed settle(double friction, double duration) {
   set_gravity(engine);
   engine.advance(static_cast<std::int64_t>(duration / contact.time_step));
 
-  PackedBed bed{std::move(engine), 600 * mass * gravity, 0.0, 0.0, 0.0, 0.0};
+  PackedBed bed{std::move(engine), 600 * mass * gravitational_acceleration, 0.0, 0.0, 0.0, 0.0};
   for (const auto& pair : bed.engine.touching_pairs())
     if (pair.at_wall && pair.second == 0) bed.bottom_force += pair.normal_force;
   double solids = 0.0;

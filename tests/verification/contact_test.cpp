@@ -8,6 +8,7 @@
 #include <ostream>
 #include <vector>
 
+#include "correlations/materials.hpp"
 #include "solver/dem/contact_reference.hpp"
 #include "solver/dem/hertz_mindlin.hpp"
 #include "tests/verification/few_spheres.hpp"
@@ -41,7 +42,7 @@ Engine dropped_sphere(Integrator integrator, double stiffness, double time_step)
   contact.integrator = integrator;
   contact.time_step = time_step;
   Engine engine = engine_with(contact, {floor_at_zero}, {{{0, 0, drop_height}, {}, {}, drop_radius, drop_density}});
-  engine.external_force.z[0] = -engine.particles.mass[0] * gravity;
+  engine.external_force.z[0] = -engine.particles.mass[0] * gravitational_acceleration;
   return engine;
 }
 
@@ -108,12 +109,13 @@ TEST(Bounce, TenHeightsOfASoftSphere) {
   ReferenceLaw law;
   law.stiffness = 5e4;
   law.restitution = 0.9;
-  const auto run =
-      reference_bounce(law, drop_radius, drop_density * Particles::volume_of(drop_radius), gravity, drop_height, {4.5});
+  const auto run = reference_bounce(law, drop_radius, drop_density * Particles::volume_of(drop_radius),
+                                    gravitational_acceleration, drop_height, {4.5});
   std::vector<double> exact{drop_height};
   for (const auto& event : run.events)
     if (event.kind == ReferenceEventKind::contact_end)
-      exact.push_back(drop_radius + event.state.velocity[0] * event.state.velocity[0] / (2.0 * gravity));
+      exact.push_back(drop_radius +
+                      event.state.velocity[0] * event.state.velocity[0] / (2.0 * gravitational_acceleration));
   ASSERT_GE(exact.size(), 11U);
   for (const Integrator integrator : all_integrators) {
     const auto heights = heights_of_bounces(integrator, 5e4, 5e-5, 11);
@@ -352,7 +354,7 @@ TEST(Stack, SqueezedSpheresMoveAsTheReference) {
       line.law.modulus = 1e7 / (2.0 * (1.0 - 0.25 * 0.25));
       line.law.restitution = e;
       line.spheres = {{r, 2e4 * Particles::volume_of(r), 0.45e-3, 0.0}, {r, 1e4 * Particles::volume_of(r), 1.35e-3, 0}};
-      line.gravity = gravity;
+      line.gravity = gravitational_acceleration;
       line.lower_wall = 0.0;
       line.upper_wall = 1.8e-3;
       const auto exact = reference_line(line, {end}).samples.back();
@@ -370,7 +372,8 @@ TEST(Stack, SqueezedSpheresMoveAsTheReference) {
           contact.time_step = level == 0 ? 2e-6 : 1e-6;
           Engine engine = engine_with(contact, {floor_at_zero, {Wall::Kind::plane, 2, -1.0, 1.8e-3}},
                                       {{{0, 0, 0.45e-3}, {}, {}, r, 2e4}, {{0, 0, 1.35e-3}, {}, {}, r, 1e4}});
-          for (std::size_t i : {0U, 1U}) engine.external_force.z[i] = -engine.particles.mass[i] * gravity;
+          for (std::size_t i : {0U, 1U})
+            engine.external_force.z[i] = -engine.particles.mass[i] * gravitational_acceleration;
           engine.advance(std::llround(end / contact.time_step));
           error[level] = 0.0;
           for (std::size_t i : {0U, 1U})

@@ -13,6 +13,7 @@
 #include "correlations/drag/single_sphere/schiller_naumann_1935.hpp"
 #include "correlations/drag/wen_yu_1966.hpp"
 #include "correlations/fluidisation/terminal_velocity.hpp"
+#include "correlations/materials.hpp"
 #include "solver/dem/packing.hpp"
 #include "solver/run/one_particle.hpp"
 #include "solver/run/simulation.hpp"
@@ -38,7 +39,7 @@ double terminal_speed(double diameter, double density, LiquidProperties liquid) 
       [&](double speed) {
         const double law = drag::WenYu1966{}({1.0, liquid.density * diameter * speed / liquid.viscosity});
         return 3.0 * std::numbers::pi * liquid.viscosity * diameter * speed * law -
-               (density - liquid.density) * volume * gravity;
+               (density - liquid.density) * volume * gravitational_acceleration;
       },
       0.0, 10.0);
 }
@@ -59,7 +60,7 @@ Scene quiescent(const LoneSphere& sphere, double stream) {
   scene.coupling.drag_law = "wen-yu-1966";
   scene.species = {{"sphere", sphere.diameter, sphere.density, 1}};
   const double terminal = terminal_speed(sphere.diameter, sphere.density, sphere.liquid);
-  scene.fluid.time_step = scene.contact.time_step = 0.02 * terminal / gravity;
+  scene.fluid.time_step = scene.contact.time_step = 0.02 * terminal / gravitational_acceleration;
   return scene;
 }
 
@@ -98,7 +99,8 @@ TEST(LoneSphereInTheBed, HoversWhereTheLiquidRisesAsItFalls) {
     bed.add({1.0, 0, 0}, {0.3 * terminal, 0.0, -0.5 * terminal});
     bed.run(1500.0 * scene.fluid.time_step);
     EXPECT_NEAR(bed.engine.particles.velocity.z[0], 0.0, 1e-4 * terminal) << sphere.diameter;
-    EXPECT_NEAR(bed.engine.particles.position.z[0], 0.0, 0.02 * terminal * 30.0 * terminal / gravity);
+    EXPECT_NEAR(bed.engine.particles.position.z[0], 0.0,
+                0.02 * terminal * 30.0 * terminal / gravitational_acceleration);
     EXPECT_NEAR(bed.engine.particles.velocity.z[1], 0.0, 2e-3 * terminal) << sphere.diameter;
     EXPECT_NEAR(bed.engine.particles.velocity.x[1], 0.0, 2e-3 * terminal) << sphere.diameter;
   }
@@ -252,7 +254,7 @@ TEST(FrozenBed, IsCarriedAtTheLawsRoot) {
           [&](double velocity) {
             const double beta =
                 drag::exchange_coefficient(law({voidage, 998.2 * 0.005 * velocity / 1e-3}), voidage, 0.005, 1e-3);
-            return beta * velocity / (voidage * voidage) - solids * (2230.0 - 998.2) * gravity;
+            return beta * velocity / (voidage * voidage) - solids * (2230.0 - 998.2) * gravitational_acceleration;
           },
           1e-4, 1.0);
     });
@@ -306,7 +308,8 @@ TEST(FluidisedBed, BalanceClosesInEveryStepAlsoOfLongOnes) {
     const BedSeries& bed = result.bed;
     ASSERT_GT(bed.time.size(), 1900u);
     const double area = 0.25 * std::numbers::pi * 0.025 * 0.025, weight = -bed.buoyant_weight.back();
-    EXPECT_NEAR(weight, 150 * (2230 - 998.2) * dem::Particles::volume_of(0.0025) * gravity, 1e-9 * weight);
+    EXPECT_NEAR(weight, 150 * (2230 - 998.2) * dem::Particles::volume_of(0.0025) * gravitational_acceleration,
+                1e-9 * weight);
     double largest = 0.0;
     for (std::size_t k = 1; k < bed.time.size(); ++k) {
       const double sum = bed.pressure_force[k] + bed.buoyant_weight[k] + bed.bottom_force[k] + bed.wall_force[k] +

@@ -6,6 +6,7 @@
 #include <numeric>
 
 #include "correlations/drag/drag_laws.hpp"
+#include "correlations/materials.hpp"
 #include "tests/verification/coupled_cases.hpp"
 #include "tests/verification/liquid_cases.hpp"
 
@@ -51,10 +52,10 @@ Impulse impulse_of_step(CoupledCase& bed) {
   for (std::size_t i = 0; i < spheres.size(); ++i) {
     EXPECT_EQ(bed.engine.contacts(i), 0);
     const double volume = spheres.volume(i), per_time = spheres.mass[i] / bed.scene.fluid.time_step;
-    const std::array<double, 3> force{per_time * (spheres.velocity.x[i] - before.x[i]),
-                                      per_time * (spheres.velocity.y[i] - before.y[i]),
-                                      per_time * (spheres.velocity.z[i] - before.z[i]) +
-                                          (spheres.mass[i] - bed.scene.liquid.density * volume) * gravity};
+    const std::array<double, 3> force{
+        per_time * (spheres.velocity.x[i] - before.x[i]), per_time * (spheres.velocity.y[i] - before.y[i]),
+        per_time * (spheres.velocity.z[i] - before.z[i]) +
+            (spheres.mass[i] - bed.scene.liquid.density * volume) * gravitational_acceleration};
     for (std::size_t a = 0; a < 3; ++a) {
       impulse.on_spheres[a] += force[a];
       impulse.size[a] += std::abs(force[a]);
@@ -202,8 +203,8 @@ TEST(StiffDrag, SemiImplicitAndImplicitRelaxToTheCommonVelocity) {
         slip = now;
       }
       // Along z the spheres sink as slowly as the drag lets them, by U = 0 against a counterflow; nothing piles up.
-      const double sinking =
-          (DriftingLattice::sphere_density - 998.2) * gravity * s * std::pow(1.0 - s, 2) / DriftingLattice::beta();
+      const double sinking = (DriftingLattice::sphere_density - 998.2) * gravitational_acceleration * s *
+                             std::pow(1.0 - s, 2) / DriftingLattice::beta();
       double fastest = 0.0;
       for (const double v : lattice.bed.engine.particles.velocity.z) fastest = std::max(fastest, std::abs(v));
       EXPECT_LT(fastest, 1.01 * sinking / (1.0 - s)) << stiffness;

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <numbers>
 
+#include "correlations/materials.hpp"
 #include "solver/coupling/forces/saffman_lift.hpp"
 #include "solver/run/one_particle.hpp"
 #include "solver/run/simulation.hpp"
@@ -35,7 +36,7 @@ TEST(AddedMass, SetsTheFirstAcceleration) {
         CoupledCase bed(scene);
         bed.add({0.001, 0.002, 0.05});
         bed.step();
-        const double expected = -(density - 998.2) * gravity / (density + coefficient * 998.2);
+        const double expected = -(density - 998.2) * gravitational_acceleration / (density + coefficient * 998.2);
         EXPECT_NEAR(bed.engine.particles.velocity.z[0] / 1e-7, expected, 1e-5 * std::abs(expected))
             << density << ", " << coefficient;
       }
@@ -116,7 +117,7 @@ double released(double b, double time) {
 double largest_release_error(double density, int steps_per_response, bool history) {
   const double d = 1e-3, liquid = 1000.0, viscosity = 1e3;  // Re of 1e-8: Stokes' drag within 1e-6
   const double response = (density + 0.5 * liquid) * d * d / (18.0 * viscosity);
-  const double terminal = (density - liquid) * gravity * d * d / (18.0 * viscosity);
+  const double terminal = (density - liquid) * gravitational_acceleration * d * d / (18.0 * viscosity);
   Scene scene = quiescent(d, density, {liquid, viscosity});
   scene.coupling.added_mass = 0.5;
   scene.coupling.basset_history = history;

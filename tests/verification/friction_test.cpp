@@ -7,6 +7,7 @@
 #include <ostream>
 #include <vector>
 
+#include "correlations/materials.hpp"
 #include "solver/dem/contact_reference.hpp"
 #include "solver/dem/hertz_mindlin.hpp"
 #include "tests/verification/few_spheres.hpp"
@@ -30,11 +31,11 @@ TEST(SlipToRoll, EndsAfterTwoSeventhsWithFiveSevenths) {
       contact.sliding_friction = friction;
       contact.integrator = integrator;
       contact.time_step = 5e-6;
-      const double weight = 1e4 * Particles::volume_of(r) * gravity;
+      const double weight = 1e4 * Particles::volume_of(r) * gravitational_acceleration;
       Engine engine =
           engine_with(contact, {floor_at_zero}, {{{0, 0, r - weight / contact.stiffness}, {u0, 0, 0}, {}, r, 1e4}});
       engine.external_force.z[0] = -weight;
-      const double rolling_time = 2.0 / 7.0 * u0 / (friction * gravity);
+      const double rolling_time = 2.0 / 7.0 * u0 / (friction * gravitational_acceleration);
       const auto& v = engine.particles.velocity.x[0];
       const auto& w = engine.particles.angular_velocity.y[0];
       engine.advance(std::llround(0.5 * rolling_time / contact.time_step));

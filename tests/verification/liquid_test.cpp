@@ -6,6 +6,7 @@
 #include <numeric>
 
 #include "correlations/drag/drag_laws.hpp"
+#include "correlations/materials.hpp"
 #include "solver/coupling/phase_coupling.hpp"
 #include "tests/verification/liquid_cases.hpp"
 
@@ -363,7 +364,7 @@ TEST(Coupling, StaysStableAtStiffDrag) {
     engine.advance(200);
   }
   // Stokes: (ρ_p − ρ) g d²/(18 μ) = 6.7e-5 m/s.
-  EXPECT_NEAR(engine.particles.velocity.z[0], -(2230 - 998.2) * gravity * 1e-10 / 18e-3, 1e-6);
+  EXPECT_NEAR(engine.particles.velocity.z[0], -(2230 - 998.2) * gravitational_acceleration * 1e-10 / 18e-3, 1e-6);
 }
 
 // A sphere falling in still liquid ends at its terminal velocity: 6 mm steel in water, 1.1024 m/s with C_D = 0.44.

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "correlations/materials.hpp"
 #include "few_spheres.hpp"
 
 namespace slfb::dem {
@@ -65,7 +66,7 @@ TEST(LubricationInTheEngine, IsTheSameAtAnyNumberOfThreads) {
                                          radius, 2230, 0);
       engine.particles.velocity.x[i] = 0.01 * std::sin(k);
       engine.particles.velocity.z[i] = 0.01 * std::cos(3 * k);
-      engine.external_force.z[i] = -gravity * engine.particles.mass[i];
+      engine.external_force.z[i] = -gravitational_acceleration * engine.particles.mass[i];
     }
     engine.advance(2000);
     if (threads == 1)

@@ -15,6 +15,7 @@
 #include "correlations/drag/single_sphere/schiller_naumann_1935.hpp"
 #include "correlations/fluidisation/terminal_velocity.hpp"
 #include "correlations/fluidisation/wall_correction/haberman_sayre_1958.hpp"
+#include "correlations/materials.hpp"
 #include "solver/coupling/phase_coupling.hpp"
 #include "solver/support/folders.hpp"
 
@@ -40,7 +41,7 @@ TEST(OneParticleFall, ReachesTheTerminalVelocity) {
 // Constant C_D: v = u_t tanh(t g'/u_t), g' = g (1 − ρ/ρ_p). Above Re = 1000 the law is just that.
 TEST(OneParticleFall, FollowsTheHyperbolicTangent) {
   OneParticleFall fall = steel_in_water();
-  const double terminal = 1.1024, gravity_reduced = gravity * (1 - 998.2 / 7800);
+  const double terminal = 1.1024, gravity_reduced = gravitational_acceleration * (1 - 998.2 / 7800);
   const double start = 0.25 * terminal / gravity_reduced;  // begin where Re > 1000
   fall.velocity = -terminal * std::tanh(0.25);
   const auto states = integrate_fall(fall, {start, start + 0.05, start + 0.2});
@@ -79,7 +80,7 @@ TEST(OneParticleFall, FollowsTheExponentialOfLinearDrag) {
   fall.added_mass = 0.5;
   fall.viscosity = 1e4;
   const double response = (7800 + 0.5 * 998.2) * 0.006 * 0.006 / (18 * 1e4);
-  const double terminal = (7800 - 998.2) * gravity * 0.006 * 0.006 / (18 * 1e4);
+  const double terminal = (7800 - 998.2) * gravitational_acceleration * 0.006 * 0.006 / (18 * 1e4);
   for (const auto& state : integrate_fall(fall, {0.0, 0.5 * response, response, 3 * response, 10 * response}))
     EXPECT_NEAR(state.velocity, -terminal * (1 - std::exp(-state.time / response)), 1e-4 * terminal);
 }
@@ -92,7 +93,8 @@ TEST(OneParticleFall, SinksOntoABottomAsTheGapLetsIt) {
   fall.above_bottom = true;
   const double radius = 0.003, gap = 1e-3 * radius;
   fall.height = radius + gap;
-  const double weight = (7800 - 998.2) * gravity * 4.0 / 3.0 * std::numbers::pi * std::pow(radius, 3);
+  const double weight =
+      (7800 - 998.2) * gravitational_acceleration * 4.0 / 3.0 * std::numbers::pi * std::pow(radius, 3);
   const double sinking = 6 * std::numbers::pi * 100 * radius * radius / weight;
   const auto states = integrate_fall(fall, {0.0, 1 * sinking, 3 * sinking});
   EXPECT_NEAR((states[1].height - radius) / gap, std::exp(-1.0), 3e-3);

@@ -4,13 +4,14 @@
 #include <cmath>
 #include <vector>
 
+#include "correlations/materials.hpp"
 #include "tests/verification/few_spheres.hpp"
 
 namespace slfb::dem {
 namespace {
 
 constexpr double radius = 0.0025, density = 2230.0;
-const double weight = density * Particles::volume_of(radius) * gravity;
+const double weight = density * Particles::volume_of(radius) * gravitational_acceleration;
 
 Contact rolling_contact(Integrator integrator, RollingModel model, double friction) {
   Contact contact;
@@ -46,7 +47,7 @@ TEST(RollingResistance, SlowsARollingSphere) {
       engine.advance(5000);
       const double before = engine.particles.velocity.x[0];
       engine.advance(25000);
-      const double lost = 5.0 / 7.0 * friction * gravity * 0.25;
+      const double lost = 5.0 / 7.0 * friction * gravitational_acceleration * 0.25;
       EXPECT_NEAR(before - engine.particles.velocity.x[0], lost, 1e-3 * lost) << name_of(integrator);
       EXPECT_NEAR(engine.particles.angular_velocity.y[0] * radius, engine.particles.velocity.x[0], 1e-3 * speed);
     }
@@ -63,7 +64,7 @@ TEST(RollingResistance, SlowsASphereThatOnlySpins) {
       contact.rolling_radius = lever;
       Engine engine = on_incline(contact, 0.0, 0.0, spin);
       engine.advance(5000);
-      const double lost = 2.5 * friction * gravity * 0.05 / radius;
+      const double lost = 2.5 * friction * gravitational_acceleration * 0.05 / radius;
       EXPECT_NEAR(spin - engine.particles.angular_velocity.y[0], lost, 2e-3 * lost) << name_of(integrator);
       EXPECT_NEAR(engine.particles.velocity.x[0], 0.0, 1e-12);
       engine.advance(15000);
@@ -114,13 +115,13 @@ TEST(RollingResistance, ElasticPlasticComesToRest) {
     const double friction = 0.05, speed = 0.05;
     const Contact contact = rolling_contact(integrator, RollingModel::elastic_plastic, friction);
     Engine engine = on_incline(contact, 0.0, speed, speed / radius);
-    const double stop = speed / (5.0 / 7.0 * friction * gravity);
+    const double stop = speed / (5.0 / 7.0 * friction * gravitational_acceleration);
     // While the spring winds up to M = μ_r R m g, which turns it by M/k_r, the dashpot C_r = 2 η_r √(k_r I_r) takes
     // C_r (M/k_r)/I_r of the spin.
     const double mass = density * Particles::volume_of(radius), arm = friction * radius;
     const double stiffness = 2.25 * contact.stiffness * arm * arm, inertia = 1.4 * mass * radius * radius;
-    const double lost =
-        2.0 * contact.rolling_damping_ratio * arm * mass * gravity / std::sqrt(stiffness * inertia) * radius;
+    const double lost = 2.0 * contact.rolling_damping_ratio * arm * mass * gravitational_acceleration /
+                        std::sqrt(stiffness * inertia) * radius;
     const double way = 0.5 * (speed - lost) / speed * (speed - lost) * stop;
     engine.advance(std::llround(1.2 * stop / 1e-5));
     const double place = engine.particles.position.x[0];
@@ -148,7 +149,8 @@ TEST(RollingResistance, OnAnIncline) {
     }
     for (const double slope : {0.12, 0.3}) {
       const double angle = std::atan(slope);
-      const double acceleration = 5.0 / 7.0 * gravity * (std::sin(angle) - friction * std::cos(angle));
+      const double acceleration =
+          5.0 / 7.0 * gravitational_acceleration * (std::sin(angle) - friction * std::cos(angle));
       Engine engine = on_incline(contact, angle, 0.0, 0.0);
       engine.advance(10000);
       const double before = engine.particles.velocity.x[0];

@@ -9,6 +9,7 @@
 #include <filesystem>
 #include <numbers>
 
+#include "correlations/materials.hpp"
 #include "solver/dem/packing.hpp"
 #include "solver/scene/scene_file.hpp"
 
@@ -158,7 +159,8 @@ TEST(Simulation, LiquidCarriesTheBed) {
   scene.stages[1].duration = 3.0;
   const RunResult result = run(scene, "weight", 1);
   const double area = std::numbers::pi * 0.015 * 0.015;
-  const double weight = 250 * (2230 - 998.2) * gravity * std::numbers::pi / 6 * std::pow(0.005, 3) / area;
+  const double weight =
+      250 * (2230 - 998.2) * gravitational_acceleration * std::numbers::pi / 6 * std::pow(0.005, 3) / area;
   double sum = 0.0;
   const std::size_t n = result.bed.time.size(), half = n / 2;
   for (std::size_t k = half; k < n; ++k) sum += result.bed.pressure_drop[k];

@@ -9,6 +9,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "correlations/materials.hpp"
 #include "experiments/numerics/bench/sphere_file.hpp"
 #include "solver/dem/packing.hpp"
 
@@ -56,7 +57,7 @@ dem::Engine empty_engine(const DemScene& scene, const Contact& contact, int thre
 
 void add_weight(dem::Engine& engine) {
   for (std::size_t i = 0; i < engine.particles.size(); ++i)
-    engine.external_force.z[i] = -gravity * engine.particles.mass[i];
+    engine.external_force.z[i] = -gravitational_acceleration * engine.particles.mass[i];
 }
 
 /// Settles a loose packing with little rebound: first with soft contacts, which allow long steps, then with the scene's

@@ -9,6 +9,7 @@
 #include <numbers>
 #include <utility>
 
+#include "correlations/materials.hpp"
 #include "experiments/figures/figure_support.hpp"
 #include "solver/dem/contact_reference.hpp"
 #include "solver/dem/engine.hpp"
@@ -83,7 +84,7 @@ constexpr double half_periods = 5.3;
 Outcome swing(const Method& method, int steps) {
   const Contact still = contact_of(impacts[0]);
   const double mass = density * dem::Particles::volume_of(radius), frequency = std::sqrt(still.stiffness / mass);
-  const double rest = mass * gravity / still.stiffness, amplitude = 0.5 * rest;
+  const double rest = mass * gravitational_acceleration / still.stiffness, amplitude = 0.5 * rest;
   double cpu = 0.0, sum = 0.0, largest = 0.0;
   for (const double fraction : fractions) {
     Contact contact = still;
@@ -98,7 +99,7 @@ Outcome swing(const Method& method, int steps) {
       const auto [height, velocity] = exact(k, 0.0);
       const std::size_t i = engine.add_particle({4.0 * radius * k, 0.0, height}, radius, density, 0);
       engine.particles.velocity.z[i] = velocity;
-      engine.external_force.z[i] = -mass * gravity;
+      engine.external_force.z[i] = -mass * gravitational_acceleration;
     }
     const std::clock_t start = std::clock();
     const auto last = std::llround(half_periods * steps);

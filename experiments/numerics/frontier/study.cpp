@@ -10,15 +10,14 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
-#include "experiments/numerics/studies/table_reader.hpp"
 #include "experiments/quantities/analysis.hpp"
 #include "solver/support/folders.hpp"
+#include "solver/support/toml_table.hpp"
 
 namespace slfb::frontier {
 namespace {
 
 using nlohmann::ordered_json;
-using studies::TableReader;
 using studies::Trial;
 using studies::TrialResult;
 
@@ -32,7 +31,7 @@ std::vector<Trial> replicates(const std::string& problem, const std::vector<std:
   return trials;
 }
 
-std::vector<double> numbers_for(TableReader& table, const std::string& key, Set set) {
+std::vector<double> numbers_for(TomlTable& table, const std::string& key, Set set) {
   const auto full = table.numbers(key);
   const auto quick = table.numbers("quick_" + key);
   return set == Set::quick && !quick.empty() ? quick : full;
@@ -96,11 +95,11 @@ ReducedStudy load_file(const std::filesystem::path& file) {
 
 }  // namespace
 
-std::vector<std::filesystem::path> study_files() { return studies::data_files(folder() / "studies"); }
+std::vector<std::filesystem::path> study_files() { return toml_files(folder() / "studies"); }
 
 Study load_study(const std::filesystem::path& file, Set set) {
-  const toml::table parsed = studies::parse_table(file);
-  TableReader table(parsed, file.string());
+  const toml::table parsed = parse_toml_file(file);
+  TomlTable table(parsed, file.string());
   Study study;
   study.id = file.stem().string();
   study.title = table.text("title");
@@ -117,13 +116,13 @@ Study load_study(const std::filesystem::path& file, Set set) {
              quick_repetitions = table.number("quick_repetitions", full_repetitions);
   const int repetitions = static_cast<int>(set == Set::quick ? quick_repetitions : full_repetitions);
 
-  TableReader axis = table.table("axis");
+  TomlTable axis = table.table("axis");
   study.axis_label = axis.text("label");
   const auto axis_settings = axis.texts("set");
   const auto axis_values = numbers_for(axis, "values", set);
   axis.reject_others();
 
-  TableReader reference = table.table("reference");
+  TomlTable reference = table.table("reference");
   study.reference_text = reference.text("text");
   if (reference.has("settings")) {
     auto settings = common;
@@ -135,7 +134,7 @@ Study load_study(const std::filesystem::path& file, Set set) {
   }
   reference.reject_others();
 
-  for (TableReader& series : table.tables("series")) {
+  for (TomlTable& series : table.tables("series")) {
     const std::string name = series.text("name");
     study.series.push_back(name);
     const bool full_only = series.flag("full_only");
@@ -157,7 +156,7 @@ Study load_study(const std::filesystem::path& file, Set set) {
     }
   }
   if (table.has("default")) {
-    TableReader standard = table.table("default");
+    TomlTable standard = table.table("default");
     study.default_series = standard.text("series");
     study.default_axis = standard.number("axis");
     study.default_text = standard.text("text");

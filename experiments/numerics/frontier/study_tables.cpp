@@ -12,10 +12,10 @@
 #include "experiments/numerics/frontier/study.hpp"
 #include "experiments/numerics/plan/plan.hpp"
 #include "experiments/numerics/stability/map.hpp"
-#include "experiments/numerics/studies/table_reader.hpp"
 #include "experiments/runs/run_estimate.hpp"
 #include "reports/gnuplot.hpp"
 #include "solver/support/folders.hpp"
+#include "solver/support/toml_table.hpp"
 
 namespace slfb {
 namespace {
@@ -155,13 +155,13 @@ FigureOutput draw_knees(const FigureContext& context) {
 
 FigureOutput draw_paper_steps(const FigureContext& context) {
   const auto file = experiments() / "peng_2014" / "stability_of_the_paper.toml";
-  const toml::table parsed = studies::parse_table(file);
-  studies::TableReader table(parsed, file.string());
+  const toml::table parsed = parse_toml_file(file);
+  TomlTable table(parsed, file.string());
   DataTable data{
       "paper-steps", {"row [-]", "the paper's [SI]", "limit or resolved value [SI]", "ratio less one [-]"}, {}};
   std::vector<std::vector<std::string>> rows;
   std::vector<std::string> notes;
-  for (studies::TableReader& one : table.tables("limit")) {
+  for (TomlTable& one : table.tables("limit")) {
     const std::string what = one.text("what"), id = one.text("map"), series = one.text("series");
     const double x = one.number("x");
     // Given, or the steps in a contact of the bed's spheres that the paper's scene has.
@@ -202,7 +202,7 @@ FigureOutput draw_paper_steps(const FigureContext& context) {
     notes.push_back(fmt::format("{}: fails where {}; map {}, {} set of {}.", what, map.criterion_text, id, solved.set,
                                 solved.date));
   }
-  for (studies::TableReader& one : table.tables("change")) {
+  for (TomlTable& one : table.tables("change")) {
     const std::string what = one.text("what"), id = one.text("study"), series = one.text("series");
     const double axis = one.number("axis");
     const auto quantities = one.texts("quantities");
@@ -253,15 +253,15 @@ FigureOutput draw_paper_steps(const FigureContext& context) {
 
 FigureOutput draw_examples(const FigureContext& context) {
   const auto file = experiments() / "numerics" / "plan" / "examples.toml";
-  const toml::table parsed = studies::parse_table(file);
-  studies::TableReader table(parsed, file.string());
+  const toml::table parsed = parse_toml_file(file);
+  TomlTable table(parsed, file.string());
   const auto bands = plan::load_rules().bands;
   DataTable data{"less-is-enough",
                  {"row [-]", "relative error [-]", "half width of the 95 % interval [-]", "band [-]", "CPU time [s]"},
                  {}};
   std::vector<std::vector<std::string>> rows;
   std::vector<std::string> notes;
-  for (studies::TableReader& one : table.tables("example")) {
+  for (TomlTable& one : table.tables("example")) {
     const std::string with = one.text("with"), id = one.text("study"), series = one.text("series"),
                       quantity = one.text("quantity");
     const double axis = one.number("axis");

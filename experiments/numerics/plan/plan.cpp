@@ -12,14 +12,15 @@
 #include <stdexcept>
 
 #include "correlations/fluidisation/bed_expansion.hpp"
+#include "correlations/materials.hpp"
 #include "experiments/numerics/frontier/study.hpp"
-#include "experiments/numerics/studies/table_reader.hpp"
 #include "experiments/runs/run_estimate.hpp"
 #include "solver/dem/particles.hpp"
 #include "solver/fluid/column_grid.hpp"
 #include "solver/laws/user_law.hpp"
 #include "solver/run/one_particle.hpp"
 #include "solver/support/folders.hpp"
+#include "solver/support/toml_table.hpp"
 
 namespace slfb::plan {
 namespace {
@@ -60,7 +61,7 @@ double rounded_down(double value) {
   return decade;
 }
 
-Rule::Condition condition_of(studies::TableReader& table, const std::string& text) {
+Rule::Condition condition_of(TomlTable& table, const std::string& text) {
   std::istringstream words(text);
   std::string number, comparison;
   double value = 0.0;
@@ -82,10 +83,10 @@ double standard_error(double half_width, int replicates) {
 /// Adds to `measured`, by quantity, what a point of a committed study is off its reference, or another point of the
 /// study; of several the one that is surest. Chance adds the square of its standard error to the mean square of a
 /// deviation: that is taken off. Returns where the numbers stand.
-std::string add_measured(studies::TableReader& table, std::map<std::string, Measured>& measured) {
+std::string add_measured(TomlTable& table, std::map<std::string, Measured>& measured) {
   const std::string id = table.text("study");
   const frontier::ReducedStudy solved = frontier::load_committed(id);
-  const auto read_point = [&](studies::TableReader& place) {
+  const auto read_point = [&](TomlTable& place) {
     const std::string series = place.text("series");
     const double axis = place.number("axis");
     for (const frontier::ReducedPoint& point : solved.points)
@@ -100,7 +101,7 @@ std::string add_measured(studies::TableReader& table, std::map<std::string, Meas
   const frontier::ReducedPoint& point = *read_point(table);
   const frontier::ReducedPoint* against = nullptr;
   if (table.has("against")) {
-    studies::TableReader other = table.table("against");
+    TomlTable other = table.table("against");
     against = read_point(other);
     other.reject_others();
   }
@@ -232,14 +233,14 @@ constexpr double formula_core_seconds = 1e-3;
 
 Rules load_rules() {
   const auto file = source_folder() / "experiments" / "numerics" / "plan" / "rules.toml";
-  const toml::table parsed = studies::parse_table(file);
-  studies::TableReader table(parsed, file.string());
+  const toml::table parsed = parse_toml_file(file);
+  TomlTable table(parsed, file.string());
   Rules rules;
   rules.forces = table.texts("forces");
   const toml::table* bands = parsed["bands"].as_table();
   if (bands == nullptr) throw table.problem("bands", "is missing");
   for (const auto& [quantity, band] : *bands) rules.bands[std::string(quantity.str())] = band.value_or(0.0);
-  for (studies::TableReader& one : table.tables("rule")) {
+  for (TomlTable& one : table.tables("rule")) {
     Rule rule;
     rule.subject = one.text("subject");
     rule.choice = one.text("choice");
@@ -259,7 +260,7 @@ Rules load_rules() {
     for (const auto& [quantity, error] : rule.effect)
       if (!rules.bands.contains(quantity)) throw one.problem("effect", quantity + " has no band");
     std::map<std::string, Measured> measured;
-    for (studies::TableReader& point : one.tables("measured"))
+    for (TomlTable& point : one.tables("measured"))
       rule.evidence += (rule.evidence.empty() ? "" : "; ") + add_measured(point, measured);
     for (const auto& [quantity, found] : measured)
       if (rules.bands.contains(quantity)) rule.effect.try_emplace(quantity, found.error);
@@ -289,7 +290,7 @@ std::vector<Number> numbers_of(const Scene& scene) {
   const double mass = sphere.density * dem::Particles::volume_of(0.5 * sphere.diameter);
   const double cell = scene.fluid.tier == FluidTier::quiescent ? 2.0 * largest : scene.fluid.cell_height;
   // Time in which the drag alone would take up the terminal velocity.
-  const double relaxation = terminal / (gravity * (1.0 - scene.liquid.density / sphere.density));
+  const double relaxation = terminal / (gravitational_acceleration * (1.0 - scene.liquid.density / sphere.density));
   const bool walls = scene.geometry.shape == Shape::cylinder || scene.fluid.wall != LateralBoundary::periodic;
   double drops = 0.0;
   for (const Stage& stage : scene.stages)
@@ -448,11 +449,8 @@ std::map<std::string, double> answer_by_formula(const Scene& scene, const Plan& 
       double weight = 0.0;
       for (const Species& species : scene.species)
         weight += static_cast<double>(species.count) * dem::Particles::volume_of(0.5 * species.diameter) *
-                  (species.density - scene.liquid.density) * gravity;
-      const double area = scene.geometry.shape == Shape::cylinder
-                              ? 0.25 * std::numbers::pi * scene.geometry.diameter * scene.geometry.diameter
-                              : scene.geometry.width[0] * scene.geometry.width[1];
-      answers[quantity] = weight / area;
+                  (species.density - scene.liquid.density) * gravitational_acceleration;
+      answers[quantity] = weight / scene.geometry.cross_section();
     }
   }
   return answers;

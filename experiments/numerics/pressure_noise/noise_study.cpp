@@ -14,6 +14,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "correlations/materials.hpp"
 #include "solver/coupling/phase_coupling.hpp"
 #include "solver/dem/engine.hpp"
 #include "solver/dem/packing.hpp"
@@ -24,10 +25,6 @@ namespace slfb::noise {
 namespace {
 
 constexpr std::array time_steps{1e-3, 5e-4, 2e-4, 1e-4};
-
-double section_area(const Scene& scene) {
-  return 0.25 * std::numbers::pi * scene.geometry.diameter * scene.geometry.diameter;
-}
 
 class Bed {
  public:
@@ -121,8 +118,9 @@ NoisePoint measure(const Scene& scene, const dem::Particles& start, double trans
   point.time_step = scene.fluid.time_step;
   point.seconds = seconds;
   const Species& species = scene.species.front();
-  point.bed_weight = static_cast<double>(start.size()) * (species.density - scene.liquid.density) * gravity *
-                     dem::Particles::volume_of(0.5 * species.diameter) / section_area(scene);
+  point.bed_weight = static_cast<double>(start.size()) * (species.density - scene.liquid.density) *
+                     gravitational_acceleration * dem::Particles::volume_of(0.5 * species.diameter) /
+                     scene.geometry.cross_section();
   if (!point.failure.empty()) return point;
   point.mean = std::accumulate(signal.begin(), signal.end(), 0.0) / n;
   // Neighbouring values belong together, blocks hardly: their scatter tells how sure the mean square is.

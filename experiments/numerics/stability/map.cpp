@@ -10,14 +10,13 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
-#include "experiments/numerics/studies/table_reader.hpp"
 #include "solver/support/folders.hpp"
+#include "solver/support/toml_table.hpp"
 
 namespace slfb::stability {
 namespace {
 
 using nlohmann::ordered_json;
-using studies::TableReader;
 using studies::Trial;
 using studies::TrialResult;
 
@@ -79,11 +78,11 @@ Trial Map::trial(const MapSeries& of, double x, double y) const {
   return {problem, all, 0};
 }
 
-std::vector<std::filesystem::path> map_files() { return studies::data_files(folder() / "maps"); }
+std::vector<std::filesystem::path> map_files() { return toml_files(folder() / "maps"); }
 
 Map load_map(const std::filesystem::path& file, Set set) {
-  const toml::table parsed = studies::parse_table(file);
-  TableReader table(parsed, file.string());
+  const toml::table parsed = parse_toml_file(file);
+  TomlTable table(parsed, file.string());
   Map map;
   map.id = file.stem().string();
   map.title = table.text("title");
@@ -91,7 +90,7 @@ Map load_map(const std::filesystem::path& file, Set set) {
   map.problem = table.text("problem");
   map.settings = table.texts("settings");
   map.tolerance = table.number("tolerance", 0.05);
-  TableReader x = table.table("x");
+  TomlTable x = table.table("x");
   map.x_label = x.text("label");
   map.x_settings = x.texts("set");
   map.x_values = x.numbers("values");
@@ -99,7 +98,7 @@ Map load_map(const std::filesystem::path& file, Set set) {
   if (set == Set::quick && !quick.empty()) map.x_values = quick;
   map.x_logarithmic = !x.flag("linear");
   x.reject_others();
-  TableReader y = table.table("y");
+  TomlTable y = table.table("y");
   map.y_label = y.text("label");
   map.y_settings = y.texts("set");
   map.y_low = y.number("low");
@@ -109,7 +108,7 @@ Map load_map(const std::filesystem::path& file, Set set) {
   map.fails_high = side == "high";
   if (!(map.y_low > 0.0 && map.y_high > map.y_low)) throw y.problem("low", "must lie above 0 and below high");
   y.reject_others();
-  TableReader criterion = table.table("criterion");
+  TomlTable criterion = table.table("criterion");
   map.quantity = criterion.text("quantity");
   studies::find_quantity(studies::find_problem(map.problem), map.quantity);
   map.criterion_text = criterion.text("text");
@@ -118,13 +117,13 @@ Map load_map(const std::filesystem::path& file, Set set) {
   map.fails_above = fails == "above";
   const double limit = criterion.number("limit");
   criterion.reject_others();
-  for (TableReader& series : table.tables("series")) {
+  for (TomlTable& series : table.tables("series")) {
     const bool full_only = series.flag("full_only");
     MapSeries one{series.text("name"), series.texts("settings"), series.number("limit", limit)};
     series.reject_others();
     if (!full_only || set == Set::full) map.series.push_back(std::move(one));
   }
-  for (TableReader& theory : table.tables("theory")) {
+  for (TomlTable& theory : table.tables("theory")) {
     Theory one{theory.text("name"), theory.text("formula"), theory.number("value", nothing), theory.texts("settings")};
     theory.reject_others();
     const auto known = theory_formulas();
@@ -133,7 +132,7 @@ Map load_map(const std::filesystem::path& file, Set set) {
       throw theory.problem("formula", "is not known");
     map.theories.push_back(std::move(one));
   }
-  for (TableReader& mark : table.tables("mark")) {
+  for (TomlTable& mark : table.tables("mark")) {
     map.marks.push_back({mark.number("x"), mark.number("y"), mark.text("text")});
     mark.reject_others();
   }

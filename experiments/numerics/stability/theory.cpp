@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "correlations/fluidisation/bed_expansion.hpp"
+#include "correlations/materials.hpp"
 #include "experiments/numerics/stability/map.hpp"
 #include "solver/dem/particles.hpp"
 #include "solver/laws/user_law.hpp"
@@ -55,8 +56,8 @@ const std::vector<std::pair<std::string, Formula>>& formulas() {
          const double faster =
              fluidisation::superficial_velocity(law, {sphere.diameter, sphere.density + heavier}, liquid, voidage);
          // Slip is U/α, drag on a volume of the bed α α_S (ρ_S - ρ_L) g.
-         const double slope =
-             voidage * voidage * solids * heavier * gravity / (faster - scene.liquid.superficial_velocity);
+         const double slope = voidage * voidage * solids * heavier * gravitational_acceleration /
+                              (faster - scene.liquid.superficial_velocity);
          return 2.0 / (slope * (1.0 / (voidage * liquid.density) + 1.0 / (solids * sphere.density)));
        }},
       {"minimum-fluidisation",

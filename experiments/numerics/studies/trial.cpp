@@ -99,4 +99,12 @@ TrialResult solve(const Trial& trial) {
   return result;
 }
 
+std::string fill_in(std::string text, double value) {
+  const std::string number = fmt::format("{}", value);
+  for (auto position = text.find("{}"); position != std::string::npos;
+       position = text.find("{}", position + number.size()))
+    text.replace(position, 2, number);
+  return text;
+}
+
 }  // namespace slfb::studies

@@ -74,4 +74,7 @@ struct Trial {
 /// Solves the problem. A method that breaks down is an answer: its reason is kept in `failure`.
 TrialResult solve(const Trial& trial);
 
+/// `text` with every {} replaced by a number: the settings of an axis.
+std::string fill_in(std::string text, double value);
+
 }  // namespace slfb::studies

@@ -10,9 +10,9 @@
 #include <stdexcept>
 
 #include "experiments/numerics/frontier/study.hpp"
-#include "experiments/numerics/studies/table_reader.hpp"
 #include "reports/gnuplot.hpp"
 #include "solver/support/folders.hpp"
+#include "solver/support/toml_table.hpp"
 
 namespace slfb {
 namespace {
@@ -32,7 +32,7 @@ struct Step {
 
 constexpr double simulated_seconds = 23.0;  ///< of the paper's run
 
-Place place_of(studies::TableReader& table) {
+Place place_of(TomlTable& table) {
   Place place{table.text("study"), table.text("series"), table.number("axis")};
   table.reject_others();
   return place;
@@ -58,21 +58,21 @@ struct SolvedPlace {
 /// of a study's setting.
 std::vector<Step> load_steps(const std::filesystem::path& results) {
   const auto file = source_folder() / "experiments" / "peng_2014" / "from_66_hours" / "from_66_hours.toml";
-  const toml::table parsed = studies::parse_table(file);
-  studies::TableReader table(parsed, file.string());
+  const toml::table parsed = parse_toml_file(file);
+  TomlTable table(parsed, file.string());
   std::vector<Step> steps;
-  for (studies::TableReader& one : table.tables("step")) {
+  for (TomlTable& one : table.tables("step")) {
     Step step{one.text("what"), std::numeric_limits<double>::quiet_NaN(), one.text("measured"), {}};
     if (one.has("hours")) {
       step.hours = one.number("hours");
     } else if (one.has("cost")) {
-      studies::TableReader cost = one.table("cost");
+      TomlTable cost = one.table("cost");
       const SolvedPlace solved(place_of(cost), results);
       if (solved.point != nullptr) step.hours = solved.point->cpu_seconds * simulated_seconds / 3600.0;
     } else {
       step.hours = one.number("wall_seconds_per_second") * simulated_seconds / 3600.0;
     }
-    for (studies::TableReader& price : one.tables("price")) step.prices.push_back(place_of(price));
+    for (TomlTable& price : one.tables("price")) step.prices.push_back(place_of(price));
     one.reject_others();
     steps.push_back(std::move(step));
   }

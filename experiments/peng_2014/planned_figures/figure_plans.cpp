@@ -10,11 +10,11 @@
 
 #include "experiments/figures/drawn_table.hpp"
 #include "experiments/numerics/plan/plan.hpp"
-#include "experiments/numerics/studies/table_reader.hpp"
 #include "experiments/runs/measure.hpp"
 #include "experiments/runs/run_estimate.hpp"
 #include "reports/gnuplot.hpp"
 #include "solver/support/folders.hpp"
+#include "solver/support/toml_table.hpp"
 
 namespace slfb::plan {
 namespace {
@@ -73,11 +73,11 @@ std::string compared(const Scene& scene, const Scene& planned) {
 
 std::vector<FigurePlan> figure_plans() {
   const auto file = experiments() / "peng_2014" / "planned_figures" / "figures.toml";
-  const toml::table parsed = studies::parse_table(file);
-  studies::TableReader table(parsed, file.string());
+  const toml::table parsed = parse_toml_file(file);
+  TomlTable table(parsed, file.string());
   const Rules rules = load_rules();
   std::vector<FigurePlan> plans;
-  for (studies::TableReader& one : table.tables("figure")) {
+  for (TomlTable& one : table.tables("figure")) {
     FigurePlan entry;
     entry.figure = one.text("id");
     entry.asked = one.texts("asked");

@@ -8,6 +8,7 @@
 
 #include "correlations/classification/force_balance.hpp"
 #include "correlations/fluidisation/bed_expansion.hpp"
+#include "correlations/materials.hpp"
 #include "experiments/numerics/studies/problems/problem_list.hpp"
 #include "experiments/runs/measure.hpp"
 #include "solver/dem/particles.hpp"
@@ -89,7 +90,7 @@ double buoyant_weight(const Scene& scene) {
   double weight = 0.0;
   for (const Species& species : scene.species)
     weight += dem::Particles::volume_of(0.5 * species.diameter) * static_cast<double>(species.count) *
-              (species.density - scene.liquid.density) * gravity;
+              (species.density - scene.liquid.density) * gravitational_acceleration;
   return weight;
 }
 

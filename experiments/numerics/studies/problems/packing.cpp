@@ -5,6 +5,7 @@
 #include <memory>
 #include <random>
 
+#include "correlations/materials.hpp"
 #include "experiments/numerics/studies/problems/problem_list.hpp"
 #include "solver/dem/engine.hpp"
 #include "solver/dem/walls.hpp"
@@ -19,7 +20,7 @@ dem::Engine engine_of(const Scene& scene, const Contact& contact) {
 void add_weight(dem::Engine& engine, const Scene& scene) {
   for (std::size_t i = 0; i < engine.particles.size(); ++i)
     engine.external_force.z[i] =
-        -gravity * (engine.particles.mass[i] - scene.liquid.density * engine.particles.volume(i));
+        -gravitational_acceleration * (engine.particles.mass[i] - scene.liquid.density * engine.particles.volume(i));
 }
 
 double kinetic_energy(const dem::Particles& spheres) {
@@ -45,7 +46,7 @@ TrialResult solve(const Scene& given, const Parameters& parameters, int replicat
     return contact;
   };
   constexpr double push_speed = 1e-3;  // at most, in each direction [m/s]
-  const double fall = std::sqrt(2.0 * 30.0 * diameter / gravity);
+  const double fall = std::sqrt(2.0 * 30.0 * diameter / gravitational_acceleration);
   // Soft springs do for the fall. The packing then finds its place with stiffer ones, ten times at most at once: the
   // energy of its overlaps would throw it up.
   double stiffness = std::min(scene.contact.stiffness, 1e3);

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "correlations/materials.hpp"
 #include "experiments/numerics/pressure_noise/noise_study.hpp"
 #include "experiments/numerics/studies/problems/problem_list.hpp"
 #include "solver/coupling/phase_coupling.hpp"
@@ -71,7 +72,8 @@ TrialResult solve(const Scene& given, const Parameters& parameters, int) {
   result.cpu_seconds = (thread_cpu_seconds() - start) / seconds;
   double weight = 0.0, mean_velocity = 0.0;
   for (std::size_t i = 0; i < engine.particles.size(); ++i) {
-    weight += gravity * (engine.particles.mass[i] - scene.liquid.density * engine.particles.volume(i));
+    weight +=
+        gravitational_acceleration * (engine.particles.mass[i] - scene.liquid.density * engine.particles.volume(i));
     mean_velocity += engine.particles.velocity.z[i] / static_cast<double>(engine.particles.size());
   }
   const double mean = sum / n;

@@ -2,6 +2,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "correlations/materials.hpp"
 #include "experiments/numerics/studies/problems/problem_list.hpp"
 #include "solver/dem/engine.hpp"
 
@@ -15,7 +16,8 @@ TrialResult solve(const Scene& scene, const Parameters& parameters, int) {
   const double radius = 0.5 * sphere.diameter, mass = sphere.density * dem::Particles::volume_of(radius);
   Contact contact = scene.contact;
   contact.restitution = 1.0;
-  const double rest = mass * gravity / contact.stiffness, frequency = std::sqrt(contact.stiffness / mass);
+  const double rest = mass * gravitational_acceleration / contact.stiffness,
+               frequency = std::sqrt(contact.stiffness / mass);
   // A millionth of the rest overlap may grow a thousandfold without the sphere losing the wall.
   const double amplitude = 1e-6 * rest;
   dem::Engine engine(contact, {{dem::Wall::Kind::plane, 2, 1.0, 0.0}}, {0, 0, 0}, 1);
@@ -24,7 +26,7 @@ TrialResult solve(const Scene& scene, const Parameters& parameters, int) {
     const std::size_t i = engine.add_particle({4.0 * radius * k, 0.0, radius - rest + amplitude * std::cos(angle)},
                                               radius, sphere.density, 0);
     engine.particles.velocity.z[i] = -amplitude * frequency * std::sin(angle);
-    engine.external_force.z[i] = -mass * gravity;
+    engine.external_force.z[i] = -mass * gravitational_acceleration;
   }
   const double start = thread_cpu_seconds();
   const auto steps = static_cast<std::int64_t>(parameters.at("steps"));

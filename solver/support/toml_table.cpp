@@ -1,4 +1,4 @@
-#include "experiments/numerics/studies/table_reader.hpp"
+#include "solver/support/toml_table.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -6,53 +6,53 @@
 #include <algorithm>
 #include <stdexcept>
 
-namespace slfb::studies {
+namespace slfb {
 
-std::runtime_error TableReader::problem(const std::string& key, const std::string& message) const {
+std::runtime_error TomlTable::problem(const std::string& key, const std::string& message) const {
   const toml::node* node = table_.get(key);
   const auto line = (node != nullptr ? node->source() : table_.source()).begin.line;
   return std::runtime_error(fmt::format("{}:{}: {}: {}", file_, line, key, message));
 }
 
-const toml::node* TableReader::find(const std::string& key) {
+const toml::node* TomlTable::find(const std::string& key) {
   asked_.insert(key);
   return table_.get(key);
 }
 
-const toml::node& TableReader::required(const std::string& key) {
+const toml::node& TomlTable::required(const std::string& key) {
   const toml::node* node = find(key);
   if (node == nullptr) throw problem(key, "is missing");
   return *node;
 }
 
-std::string TableReader::text(const std::string& key) {
+std::string TomlTable::text(const std::string& key) {
   const auto value = required(key).value<std::string>();
   if (!value) throw problem(key, "must be a text");
   return *value;
 }
 
-std::string TableReader::text(const std::string& key, const std::string& otherwise) {
+std::string TomlTable::text(const std::string& key, const std::string& otherwise) {
   return find(key) == nullptr ? otherwise : text(key);
 }
 
-double TableReader::number(const std::string& key) {
+double TomlTable::number(const std::string& key) {
   const auto value = required(key).value<double>();
   if (!value) throw problem(key, "must be a number");
   return *value;
 }
 
-double TableReader::number(const std::string& key, double otherwise) {
+double TomlTable::number(const std::string& key, double otherwise) {
   return find(key) == nullptr ? otherwise : number(key);
 }
 
-bool TableReader::flag(const std::string& key) {
+bool TomlTable::flag(const std::string& key) {
   if (find(key) == nullptr) return false;
   const auto value = required(key).value<bool>();
   if (!value) throw problem(key, "must be true or false");
   return *value;
 }
 
-std::vector<std::string> TableReader::texts(const std::string& key) {
+std::vector<std::string> TomlTable::texts(const std::string& key) {
   std::vector<std::string> values;
   const toml::node* node = find(key);
   if (node == nullptr) return values;
@@ -65,7 +65,7 @@ std::vector<std::string> TableReader::texts(const std::string& key) {
   return values;
 }
 
-std::vector<double> TableReader::numbers(const std::string& key) {
+std::vector<double> TomlTable::numbers(const std::string& key) {
   std::vector<double> values;
   const toml::node* node = find(key);
   if (node == nullptr) return values;
@@ -78,7 +78,7 @@ std::vector<double> TableReader::numbers(const std::string& key) {
   return values;
 }
 
-std::map<std::string, double> TableReader::numbers_by_name(const std::string& key) {
+std::map<std::string, double> TomlTable::numbers_by_name(const std::string& key) {
   std::map<std::string, double> values;
   const toml::node* node = find(key);
   if (node == nullptr) return values;
@@ -91,14 +91,14 @@ std::map<std::string, double> TableReader::numbers_by_name(const std::string& ke
   return values;
 }
 
-TableReader TableReader::table(const std::string& key) {
+TomlTable TomlTable::table(const std::string& key) {
   const toml::table* inner = required(key).as_table();
   if (inner == nullptr) throw problem(key, "must be a table");
   return {*inner, file_};
 }
 
-std::vector<TableReader> TableReader::tables(const std::string& key) {
-  std::vector<TableReader> inner;
+std::vector<TomlTable> TomlTable::tables(const std::string& key) {
+  std::vector<TomlTable> inner;
   const toml::node* node = find(key);
   if (node == nullptr) return inner;
   if (!node->is_array_of_tables()) throw problem(key, "must be an array of tables");
@@ -106,14 +106,14 @@ std::vector<TableReader> TableReader::tables(const std::string& key) {
   return inner;
 }
 
-void TableReader::reject_others() const {
+void TomlTable::reject_others() const {
   for (const auto& [key, node] : table_)
     if (!asked_.contains(std::string(key.str())))
       throw problem(std::string(key.str()),
                     fmt::format("is not a key that is read here; known: {}", fmt::join(asked_, ", ")));
 }
 
-toml::table parse_table(const std::filesystem::path& file) {
+toml::table parse_toml_file(const std::filesystem::path& file) {
   try {
     return toml::parse_file(file.string());
   } catch (const toml::parse_error& error) {
@@ -121,7 +121,7 @@ toml::table parse_table(const std::filesystem::path& file) {
   }
 }
 
-std::vector<std::filesystem::path> data_files(const std::filesystem::path& folder) {
+std::vector<std::filesystem::path> toml_files(const std::filesystem::path& folder) {
   std::vector<std::filesystem::path> files;
   for (const auto& entry : std::filesystem::directory_iterator(folder))
     if (entry.path().extension() == ".toml") files.push_back(entry.path());
@@ -129,11 +129,4 @@ std::vector<std::filesystem::path> data_files(const std::filesystem::path& folde
   return files;
 }
 
-std::string fill_in(std::string text, double value) {
-  const std::string number = fmt::format("{}", value);
-  for (auto place = text.find("{}"); place != std::string::npos; place = text.find("{}", place + number.size()))
-    text.replace(place, 2, number);
-  return text;
-}
-
-}  // namespace slfb::studies
+}  // namespace slfb
