@@ -103,9 +103,14 @@ void PlotValues::markups(const std::string& name, const std::vector<std::string>
   list(name, items);
 }
 
+void PlotValues::files(const std::string& name, const std::vector<std::string>& tables, const std::string& any_table) {
+  if (!tables.empty()) return markups(name, tables);
+  commands_ += fmt::format("{0}_count = 0\narray {0}[1] = [{1}]\n", name, quoted(any_table));
+}
+
 void PlotValues::list(const std::string& name, const std::vector<std::string>& items) {
-  // gnuplot has no empty arrays.
-  commands_ += items.empty() ? fmt::format("{0}_count = 0\narray {0}[1]\n", name)
+  // gnuplot has no empty arrays, and reads the first item even where a loop has nothing to do.
+  commands_ += items.empty() ? fmt::format("{0}_count = 0\narray {0}[1] = ['']\n", name)
                              : fmt::format("{0}_count = {1}\narray {0}[{1}] = [{2}]\n", name, items.size(),
                                            fmt::join(items, ", "));
 }

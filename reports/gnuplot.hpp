@@ -38,6 +38,9 @@ class PlotValues {
   void numbers(const std::string& name, const std::vector<double>& values);
   void texts(const std::string& name, const std::vector<std::string>& values);
   void markups(const std::string& name, const std::vector<std::string>& values);
+  /// A list of tables to loop over. When it is empty, gnuplot still opens the first file: `any_table` is one that
+  /// exists, so that it does not warn.
+  void files(const std::string& name, const std::vector<std::string>& tables, const std::string& any_table);
 
   /// The gnuplot commands that set them.
   [[nodiscard]] const std::string& commands() const { return commands_; }

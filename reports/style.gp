@@ -59,3 +59,14 @@ set style line 38 linecolor rgb '#0072b2' linewidth 1.6 pointtype 6 pointsize 0.
 # Radius of a filled round point (type 7) of size 1 in pixels of the SVG, in each format as its terminal is set up:
 # pictures of thousands of discs are points of a given radius, an eighth of the size that circles would have.
 point_radius = format eq 'svg' ? 5.625 : format eq 'png' ? 4.5 : 4.0
+
+# Pictures of spheres (sphere_picture: x, z, radius, colour) in a panel of `scale` pixels per metre:
+# `plot 'spheres.csv' skip 1 @spheres`.
+spheres = "using 1:2:(scale/point_radius*$3):4 with points pointtype 7 pointsize variable linewidth 0.1 ".\
+  "linecolor rgb variable notitle"
+
+# Error bars: `using 1:2:(0):(half_width(3)) with xyerrorbars linestyle 2 @bars`. They have both directions, one of them
+# of no length: gnuplot leaves a gap for the point in bars of one direction, in which short bars vanish. A single sample
+# has no interval.
+half_width(k) = valid(k) ? column(k) : 0
+bars = 'pointsize 0 linewidth 1.4 notitle'
