@@ -121,6 +121,8 @@ struct Recording {
   double drop_interval = 0.001;       ///< between samples of the dropped sphere [s] (1000 Hz in the paper)
   double snapshot_interval = 0.0;     ///< between VTKHDF snapshots [s]; 0: none
   double checkpoint_interval = 60.0;  ///< wall-clock time between checkpoints [s]
+  /// Lowest and highest centre of the cells of the plane y = 0 whose liquid velocity fluctuations are recorded [m].
+  std::array<double, 2> fluctuation_window{0.1, 0.2};
 };
 
 struct Scene {

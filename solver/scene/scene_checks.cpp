@@ -344,6 +344,10 @@ class PhysicsCheck {
     check("bed_interval", recording.bed_interval);
     check("drop_interval", recording.drop_interval);
     if (recording.snapshot_interval > 0.0) check("snapshot_interval", recording.snapshot_interval);
+    const auto& [low, high] = recording.fluctuation_window;
+    if (low >= high)
+      problem("recording.fluctuation_window", fmt::format("[{}, {}]", shortest(low), shortest(high)),
+              "holds no height; allowed is a lower height and then a higher one");
   }
 
   const Scene& scene_;

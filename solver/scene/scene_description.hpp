@@ -40,6 +40,7 @@ inline constexpr Allowed zero_to_a_billion{0.0, true, 1e9, true, "a whole number
 struct Presence {
   enum class Rule { required, optional, meaningless } rule;
   std::string_view reason;
+  bool left_out = false;  ///< of the canonical text, and so of the hash
 };
 inline constexpr Presence required{Presence::Rule::required, {}};
 inline constexpr Presence optional{Presence::Rule::optional, {}};
@@ -49,6 +50,13 @@ constexpr Presence required_if(bool condition, std::string_view reason) {
 
 constexpr Presence optional_if(bool condition, std::string_view reason) {
   return condition ? optional : Presence{Presence::Rule::meaningless, reason};
+}
+
+/// Optional, and not written while it has its default: a key that came after runs were named by their hashes.
+/// \param value of the scene at hand
+template <class Value>
+constexpr Presence left_out_if_default(const Value& value, const Value& default_value) {
+  return {Presence::Rule::optional, {}, value == default_value};
 }
 
 template <class Enum>
@@ -187,6 +195,8 @@ void describe(Visitor& visitor, Scene& scene) {
     visitor.number("drop_interval", recording.drop_interval, u::time, positive, optional);
     visitor.number("snapshot_interval", recording.snapshot_interval, u::time, not_negative, optional);
     visitor.number("checkpoint_interval", recording.checkpoint_interval, u::time, positive, optional);
+    visitor.pair("fluctuation_window", recording.fluctuation_window, u::length, not_negative,
+                 left_out_if_default(recording.fluctuation_window, Recording{}.fluctuation_window));
   });
   visitor.sections("species", scene.species, [&](Species& species) {
     visitor.text("name", species.name, required);

@@ -448,7 +448,8 @@ class Writer {
 
  private:
   void line(const std::string& key, std::string_view value, Presence presence) {
-    if (presence.rule != Presence::Rule::meaningless) out_ += fmt::format("{} = {}\n", key, value);
+    if (presence.rule != Presence::Rule::meaningless && !presence.left_out)
+      out_ += fmt::format("{} = {}\n", key, value);
   }
 
   std::string out_;

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
@@ -585,13 +586,29 @@ TEST(SceneHash, DependsOnEveryValue) {
                                          "stage[2].relaxation=2",
                                          "recording.bed_interval=0.02",
                                          "recording.drop_interval=0.002",
-                                         "recording.snapshot_interval=2"};
+                                         "recording.snapshot_interval=2",
+                                         R"(recording.fluctuation_window=["0.1 m", "0.3 m"])"};
   std::set<std::string> hashes{scene_hash(parse_scene(valid_scene, "scene.toml"))};
   for (const std::string& change : changes) {
     Overrides overrides{change};
     if (change == "stage[2].species=glass") overrides.emplace_back("species[1].count=1");
     EXPECT_TRUE(hashes.insert(scene_hash(parse_scene(valid_scene, "scene.toml", overrides))).second) << change;
   }
+}
+
+// A key that is newer than the runs that are kept leaves their names as they are.
+TEST(SceneHash, KeysThatAreLeftOutAtTheirDefaultsKeepTheName) {
+  const Scene before = parse_scene(valid_scene, "scene.toml");
+  const auto with = [](const std::string& heights) {
+    return parse_scene(valid_scene, "scene.toml", {"recording.fluctuation_window=" + heights});
+  };
+  EXPECT_EQ(canonical_toml(before).find("fluctuation_window"), std::string::npos);
+  EXPECT_EQ(canonical_toml(with(R"(["10 cm", "20 cm"])")), canonical_toml(before));
+  const Scene higher = with(R"(["0.3 m", "0.4 m"])");
+  EXPECT_EQ(higher.recording.fluctuation_window, (std::array{0.3, 0.4}));
+  EXPECT_EQ(parse_scene(canonical_toml(higher), "canonical").recording.fluctuation_window, (std::array{0.3, 0.4}));
+  EXPECT_THROW(with(R"(["0.2 m", "0.1 m"])"), SceneError);
+  EXPECT_THROW(with(R"(["-0.1 m", "0.1 m"])"), SceneError);
 }
 
 }  // namespace
