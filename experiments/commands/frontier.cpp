@@ -21,7 +21,6 @@ namespace {
 namespace fs = std::filesystem;
 using frontier::ReducedPoint;
 using frontier::ReducedStudy;
-using frontier::Set;
 using frontier::Study;
 
 constexpr const char* examples =
@@ -49,7 +48,7 @@ struct Options {
 };
 
 std::vector<Study> chosen_studies(const Options& options) {
-  const Set set = options.set == "quick" ? Set::quick : Set::full;
+  const studies::Set set = studies::set_named(options.set);
   std::vector<std::string> known;
   std::vector<Study> chosen;
   for (const fs::path& file : frontier::study_files()) {
@@ -109,7 +108,7 @@ int run(const Options& options) {
              fmt::print(stderr, "{}: {} of {}{}\n", study.id, done, all,
                         result.failure.empty() ? "" : ", failed: " + result.failure);
            }});
-    ReducedStudy reduced = frontier::reduce(study, options.set == "quick" ? Set::quick : Set::full, store);
+    ReducedStudy reduced = frontier::reduce(study, studies::set_named(options.set), store);
     if (reduced.points.empty()) {
       reduced = frontier::load_reduced(study, options.out);
     } else if (std::ranges::all_of(trials_of(study),

@@ -27,7 +27,6 @@ namespace fs = std::filesystem;
 using stability::Boundary;
 using stability::BoundaryKind;
 using stability::Map;
-using stability::Set;
 using stability::SolvedMap;
 
 constexpr const char* examples =
@@ -60,7 +59,7 @@ std::vector<Map> chosen_maps(const Options& options) {
   for (const fs::path& file : stability::map_files()) {
     known.push_back(file.stem().string());
     if (options.maps.empty() || std::ranges::find(options.maps, known.back()) != options.maps.end())
-      chosen.push_back(stability::load_map(file, options.set == "quick" ? Set::quick : Set::full));
+      chosen.push_back(stability::load_map(file, studies::set_named(options.set)));
   }
   for (const std::string& id : options.maps)
     if (std::ranges::find(known, id) == known.end())

@@ -2,8 +2,6 @@
 
 #include <fmt/format.h>
 
-#include "reports/gnuplot.hpp"
-
 namespace slfb {
 namespace {
 
@@ -45,6 +43,13 @@ std::string table_commands(const std::vector<TableColumn>& columns, const std::v
       label(gnuplot_text(rows[row][column]), columns[column], top + row_height / 2);
   }
   return commands + "plot NaN\n";
+}
+
+FigureOutput draw_table(const std::string& id, std::string caption, const std::vector<TableColumn>& columns,
+                        const std::vector<std::vector<std::string>>& rows, const DataTable& data,
+                        std::vector<std::string> notes, int width, const std::filesystem::path& folder) {
+  draw_figure(id, table_commands(columns, rows, width), {width, table_height(rows.size())}, folder);
+  return {id, {write_csv(data, folder)}, std::move(caption), std::move(notes)};
 }
 
 }  // namespace slfb

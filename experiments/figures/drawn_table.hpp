@@ -1,7 +1,11 @@
 #pragma once
 
+#include <filesystem>
 #include <string>
 #include <vector>
+
+#include "experiments/figures/figure.hpp"
+#include "reports/gnuplot.hpp"
 
 /// Tables of the paper as pictures, so that they can be put beside the figures.
 namespace slfb {
@@ -20,5 +24,10 @@ int table_height(std::size_t rows);
 /// written.
 std::string table_commands(const std::vector<TableColumn>& columns, const std::vector<std::vector<std::string>>& rows,
                            int width);
+
+/// A figure that is such a table: draws it as `id` into `folder`, with `data`, the numbers behind it, beside it.
+FigureOutput draw_table(const std::string& id, std::string caption, const std::vector<TableColumn>& columns,
+                        const std::vector<std::vector<std::string>>& rows, const DataTable& data,
+                        std::vector<std::string> notes, int width, const std::filesystem::path& folder);
 
 }  // namespace slfb

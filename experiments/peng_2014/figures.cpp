@@ -1,11 +1,10 @@
 #include "experiments/peng_2014/figures.hpp"
 
 #include "experiments/figures/figure.hpp"
-#include "experiments/numerics/frontier/frontier_figures.hpp"
-#include "experiments/numerics/frontier/integrators.hpp"
-#include "experiments/numerics/kinetic_theory/kinetic_theory.hpp"
-#include "experiments/numerics/pressure_noise/pressure_noise.hpp"
+#include "experiments/numerics/figures.hpp"
 #include "experiments/peng_2014/fig25_collision_force/collision_force_laws.hpp"
+#include "experiments/peng_2014/from_66_hours/from_66_hours.hpp"
+#include "experiments/peng_2014/planned_figures/figure_plans.hpp"
 
 namespace slfb {
 
@@ -42,10 +41,10 @@ const std::vector<Figure>& figures() {
                             drag_law_question(),
                             printed_voidage(),
                             causes(),
-                            pressure_noise(),
-                            kinetic_theory(),
-                            frontier_integrators()};
-    for (Figure& figure : study_figures()) all.push_back(std::move(figure));
+                            from_66_hours(),
+                            paper_steps(),
+                            plan::planned_figures()};
+    for (Figure& figure : numerics_figures()) all.push_back(std::move(figure));
     return all;
   }();
   return list;

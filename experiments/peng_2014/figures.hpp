@@ -69,5 +69,7 @@ Figure drag_law_question();
 /// Are the paper's voidages those of its simulated beds? The collision force over the voidage of our own bed, and over
 /// the one that Eq. 36 gives for a homogeneous bed at the same superficial velocity, each against Eq. 40.
 Figure printed_voidage();
+/// Steps and stiffness of the paper beside the limits of the stability maps, and what its contact step changes.
+Figure paper_steps();
 
 }  // namespace slfb

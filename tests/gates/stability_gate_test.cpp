@@ -40,7 +40,7 @@ class Store {
 
 stability::Map map_named(const std::string& id) {
   return stability::load_map(source_folder() / "experiments/numerics/stability/maps" / (id + ".toml"),
-                             stability::Set::quick);
+                             studies::Set::quick);
 }
 
 stability::Boundary boundary_of(const stability::Map& map, const std::string& series, double x) {
@@ -335,10 +335,9 @@ TEST(PlanGate, RefusesSpheresThatDoNotSink) {
 // Every study and map can be read and each of its scenes is valid, in both sets.
 TEST(StudyFiles, AreReadable) {
   for (const auto& file : frontier::study_files())
-    for (const auto set : {frontier::Set::quick, frontier::Set::full}) EXPECT_NO_THROW(frontier::load_study(file, set));
+    for (const auto set : {studies::Set::quick, studies::Set::full}) EXPECT_NO_THROW(frontier::load_study(file, set));
   for (const auto& file : stability::map_files())
-    for (const auto set : {stability::Set::quick, stability::Set::full})
-      EXPECT_NO_THROW(stability::load_map(file, set));
+    for (const auto set : {studies::Set::quick, studies::Set::full}) EXPECT_NO_THROW(stability::load_map(file, set));
 }
 
 }  // namespace

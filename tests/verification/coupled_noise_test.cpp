@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "experiments/numerics/pressure_noise/noise_study.hpp"
+#include "experiments/numerics/studies/coupled_bed.hpp"
 
 namespace slfb {
 namespace {
@@ -12,12 +13,12 @@ namespace {
 // by 30 % in the study's; the longer step leaves out what collisions do within it. Of a sphere in pieces each piece
 // that crosses a face displaces its whole volume within a step, which shows the more the shorter the step is.
 TEST(PressureNoise, DoesNotGrowAsTheStepShrinksWithTheDefaultScheme) {
-  Scene scene = noise::study_scene();
+  Scene scene = studies::glass_bed();
   scene.geometry.diameter = 0.025;
   scene.geometry.height = 0.14;
   scene.fluid.cells_across = 4;
   scene.species.front().count = 150;
-  const dem::Particles start = noise::fluidised(scene, 0.5);
+  const dem::Particles start = studies::fluidised(scene, 0.5);
   const auto rms = [&](VoidFractionScheme scheme, double time_step) {
     Scene changed = scene;
     changed.coupling.void_fraction = scheme;

@@ -8,14 +8,9 @@
 #include <cmath>
 
 #include "experiments/numerics/bench/sphere_file.hpp"
-#include "solver/coupling/phase_coupling.hpp"
-#include "solver/dem/engine.hpp"
-#include "solver/dem/packing.hpp"
-#include "solver/dem/walls.hpp"
-#include "solver/fluid/liquid_solver.hpp"
+#include "experiments/numerics/studies/coupled_bed.hpp"
 #include "solver/scene/scene_file.hpp"
 #include "solver/support/folders.hpp"
-#include "solver/support/stopwatch.hpp"
 
 namespace slfb::bench {
 namespace {
@@ -31,43 +26,6 @@ Scene coarse(Scene scene) {
   scene.contact.allow_large_time_step = true;
   return scene;
 }
-
-class Bed {
- public:
-  Bed(const Scene& scene, int threads)
-      : scene_(scene),
-        engine(scene_.contact, dem::walls_of(scene_), {0.0, 0.0, 0.0}, threads),
-        liquid(scene_, false, threads),
-        exchange(scene_, &liquid) {}
-
-  void add(const dem::Particles& spheres) {
-    for (std::size_t i = 0; i < spheres.size(); ++i) {
-      const Species& species = scene_.species[static_cast<std::size_t>(spheres.species[i])];
-      engine.add_particle(spheres.position.at(i), spheres.radius[i], species.density, spheres.species[i]);
-    }
-    engine.particles.velocity = spheres.velocity;
-    engine.particles.angular_velocity = spheres.angular_velocity;
-  }
-
-  void advance(double seconds) {
-    const auto steps = std::llround(seconds / scene_.fluid.time_step);
-    const auto substeps = std::llround(scene_.fluid.time_step / scene_.contact.time_step);
-    for (std::int64_t s = 0; s < steps; ++s) {
-      exchange.advance(engine, scene_.fluid.time_step);
-      const Stopwatch stopwatch(particle_seconds);
-      engine.advance(substeps);
-    }
-  }
-
- private:
-  Scene scene_;
-
- public:
-  dem::Engine engine;
-  fluid::LiquidSolver liquid;
-  coupling::PhaseCoupling exchange;
-  double particle_seconds = 0.0;
-};
 
 double process_cpu_seconds() {
   rusage usage{};
@@ -85,16 +43,9 @@ dem::Particles fluidised(const Scene& scene, int threads, const std::filesystem:
   const auto file = cache / fmt::format("fluidised_{}.h5", scene_hash(start));
   if (std::filesystem::exists(file)) return load_spheres(file);
   say(fmt::format("fluidising {} spheres for {} s with long steps, once", start.species.front().count, fluidisation));
-  dem::Particles loose;
-  for (const dem::PlacedSphere& sphere : dem::loose_packing(start)) {
-    const Species& species = start.species[static_cast<std::size_t>(sphere.species)];
-    loose.add(sphere.centre, 0.5 * species.diameter, species.density, sphere.species);
-  }
-  Bed bed(start, threads);
-  bed.add(loose);
-  bed.advance(fluidisation);
-  save_spheres(file, bed.engine.particles);
-  return bed.engine.particles;
+  const dem::Particles spheres = studies::fluidised(start, fluidisation, threads);
+  save_spheres(file, spheres);
+  return spheres;
 }
 
 }  // namespace
@@ -123,8 +74,7 @@ Scene scene_of(const CoupledCase& bench) {
 CoupledTiming time_coupled(const Scene& scene, int threads, double seconds, const std::filesystem::path& cache,
                            const std::function<void(const std::string&)>& say) {
   using Clock = std::chrono::steady_clock;
-  Bed bed(scene, threads);
-  bed.add(fluidised(scene, threads, cache, say));
+  studies::CoupledBed bed(scene, fluidised(scene, threads, cache, say), threads);
   // The liquid starts anew and needs some time to match the spheres.
   bed.advance(0.02);
   const double void_fraction_before = bed.exchange.void_fraction_seconds();

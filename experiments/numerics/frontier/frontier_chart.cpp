@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 
+#include "experiments/numerics/figures.hpp"
 #include "reports/gnuplot.hpp"
 
 namespace slfb::frontier {
@@ -251,3 +252,20 @@ FigureOutput draw_frontier(const Study& study, const ReducedStudy& reduced, cons
 }
 
 }  // namespace slfb::frontier
+
+namespace slfb {
+
+std::vector<Figure> frontier_charts() {
+  std::vector<Figure> list;
+  for (const auto& file : frontier::study_files())
+    list.push_back({"frontier-" + file.stem().string(), frontier::load_study(file, studies::Set::full).title, no_runs,
+                    [file](const FigureContext& context) {
+                      const auto study = frontier::load_study(file, studies::Set::full);
+                      return frontier::draw_frontier(study, frontier::load_reduced(study, context.results),
+                                                     frontier::load_beside(study, context.results), context.out);
+                    },
+                    "numerics/frontier"});
+  return list;
+}
+
+}  // namespace slfb

@@ -18,6 +18,7 @@ namespace slfb::frontier {
 namespace {
 
 using nlohmann::ordered_json;
+using studies::Set;
 using studies::Trial;
 using studies::TrialResult;
 
@@ -96,6 +97,8 @@ ReducedStudy load_file(const std::filesystem::path& file) {
 }  // namespace
 
 std::vector<std::filesystem::path> study_files() { return toml_files(folder() / "studies"); }
+
+std::filesystem::path study_file(const std::string& id) { return folder() / "studies" / (id + ".toml"); }
 
 Study load_study(const std::filesystem::path& file, Set set) {
   const toml::table parsed = parse_toml_file(file);
@@ -179,7 +182,7 @@ Study load_study(const std::filesystem::path& file, Set set) {
 ReducedStudy reduce(const Study& study, Set set, const studies::TrialStore& store) {
   ReducedStudy reduced;
   reduced.id = study.id;
-  reduced.set = set == Set::quick ? "quick" : "full";
+  reduced.set = studies::name_of(set);
   reduced.numerics = numerics_version;
   reduced.date = fmt::format("{:%Y-%m-%d}", fmt::gmtime(std::time(nullptr)));
   const auto found = [&](const std::vector<Trial>& trials) {
@@ -259,14 +262,14 @@ ReducedStudy load_committed(const std::string& id) {
 
 ReducedStudy load_reduced(const Study& study, const std::filesystem::path& out) {
   ReducedStudy own = load_file(reduced_file(out, study.id)), committed = load_committed(study.id);
-  ReducedStudy drawn = stands_behind(own, committed) ? std::move(committed) : std::move(own);
+  ReducedStudy drawn = committed_is_better(own, committed) ? std::move(committed) : std::move(own);
   drawn.id = study.id;
   return drawn;
 }
 
 ReducedStudy load_beside(const Study& study, const std::filesystem::path& out) {
   ReducedStudy own = load_file(reduced_file(out, study.id));
-  return stands_behind(own, load_committed(study.id)) ? own : ReducedStudy{};
+  return committed_is_better(own, load_committed(study.id)) ? own : ReducedStudy{};
 }
 
 std::vector<const ReducedPoint*> pareto_front(const ReducedStudy& reduced, const std::string& quantity,

@@ -10,8 +10,6 @@
 /// Error against cost of methods: what a study asks, what was found, and how that is kept.
 namespace slfb::frontier {
 
-enum class Set { quick, full };
-
 /// One setting of one method.
 struct StudyPoint {
   std::string series;                  ///< the method
@@ -35,9 +33,10 @@ struct Study {
 };
 
 /// \throws std::runtime_error with file, line and key; std::invalid_argument, SceneError for settings
-Study load_study(const std::filesystem::path& file, Set set);
-/// Files of all studies.
+Study load_study(const std::filesystem::path& file, studies::Set set);
+/// Files of all studies, by name.
 std::vector<std::filesystem::path> study_files();
+std::filesystem::path study_file(const std::string& id);
 
 /// One quantity at one point, replicates taken together.
 struct PointValue {
@@ -62,7 +61,7 @@ struct ReducedStudy : studies::SolvedSet {
 };
 
 /// From the stored trials of the study to means, intervals and errors. Points without any trial are left out.
-ReducedStudy reduce(const Study& study, Set set, const studies::TrialStore& store);
+ReducedStudy reduce(const Study& study, studies::Set set, const studies::TrialStore& store);
 
 /// What is known of a study: what a run of this machine left in `out`/frontier, or the committed set where there is
 /// none, or where it is the full one and this machine's the quick one. Empty points when there is neither.

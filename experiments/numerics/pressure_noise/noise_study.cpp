@@ -15,58 +15,13 @@
 #include <utility>
 
 #include "correlations/materials.hpp"
-#include "solver/coupling/phase_coupling.hpp"
-#include "solver/dem/engine.hpp"
-#include "solver/dem/packing.hpp"
-#include "solver/dem/walls.hpp"
-#include "solver/fluid/liquid_solver.hpp"
+#include "experiments/numerics/studies/coupled_bed.hpp"
+#include "solver/support/processor.hpp"
 
 namespace slfb::noise {
 namespace {
 
 constexpr std::array time_steps{1e-3, 5e-4, 2e-4, 1e-4};
-
-class Bed {
- public:
-  Bed(const Scene& scene, const dem::Particles& spheres)
-      : scene_(scene),
-        engine(scene.contact, dem::walls_of(scene), {0.0, 0.0, 0.0}, 1),
-        liquid(scene),
-        exchange_(scene, &liquid) {
-    for (std::size_t i = 0; i < spheres.size(); ++i)
-      engine.add_particle(spheres.position.at(i), spheres.radius[i], scene.species.front().density, 0);
-    engine.particles.velocity = spheres.velocity;
-    engine.particles.angular_velocity = spheres.angular_velocity;
-  }
-
-  /// `each()` after every step of the liquid.
-  template <class Each>
-  void advance(double seconds, Each&& each) {
-    const auto substeps = std::llround(scene_.fluid.time_step / scene_.contact.time_step);
-    for (std::int64_t k = std::llround(seconds / scene_.fluid.time_step); k > 0; --k) {
-      exchange_.advance(engine, scene_.fluid.time_step);
-      engine.advance(substeps);
-      each();
-    }
-  }
-
- private:
-  const Scene& scene_;
-
- public:
-  dem::Engine engine;
-  fluid::LiquidSolver liquid;
-
- private:
-  coupling::PhaseCoupling exchange_;
-};
-
-std::string processor() {
-  std::ifstream file("/proc/cpuinfo");
-  for (std::string line; std::getline(file, line);)
-    if (line.starts_with("model name")) return line.substr(line.find(':') + 2);
-  return "unknown processor";
-}
 
 }  // namespace
 
@@ -79,37 +34,12 @@ const std::vector<Method>& methods() {
   return list;
 }
 
-Scene study_scene() {
-  Scene scene;
-  scene.geometry.diameter = 0.05;
-  scene.geometry.height = 0.6;
-  scene.liquid = {998.2, 1e-3, 0.10};
-  scene.fluid.cells_across = 8;
-  scene.fluid.cell_height = 0.00625;
-  scene.fluid.time_step = 1e-3;
-  scene.species = {{"glass", 0.005, 2230.0, 3600}};
-  scene.contact.stiffness = 1e3;
-  scene.contact.rolling_friction = 0.0175;
-  scene.contact.time_step = 1e-4;
-  return scene;
-}
-
-dem::Particles fluidised(Scene scene, double seconds) {
-  scene.fluid.time_step = 1e-3;
-  dem::Particles loose;
-  for (const dem::PlacedSphere& sphere : dem::loose_packing(scene))
-    loose.add(sphere.centre, 0.5 * scene.species.front().diameter, scene.species.front().density, sphere.species);
-  Bed bed(scene, loose);
-  bed.advance(seconds, [] {});
-  return bed.engine.particles;
-}
-
 NoisePoint measure(const Scene& scene, const dem::Particles& start, double transient, double seconds) {
   NoisePoint point{};
   std::vector<double> signal;
   try {
-    Bed bed(scene, start);
-    bed.advance(transient, [] {});
+    studies::CoupledBed bed(scene, start);
+    bed.advance(transient);
     bed.advance(seconds, [&] { signal.push_back(bed.liquid.inlet_pressure()); });
   } catch (const std::runtime_error& error) {
     point.failure = error.what();
@@ -143,11 +73,12 @@ NoisePoint measure(const Scene& scene, const dem::Particles& start, double trans
 
 void run_study(const std::filesystem::path& file, const std::string& command,
                const std::function<void(const std::string&)>& say) {
-  const Scene scene = study_scene();
+  const Scene scene = studies::glass_bed();
   say("fluidising the bed for 1.5 s");
-  const dem::Particles start = fluidised(scene, 1.5);
+  const dem::Particles start = studies::fluidised(scene, 1.5);
   std::ofstream out(file);
-  out << fmt::format("# {} on one core of {}, {:%Y-%m-%d}\n", command, processor(), fmt::gmtime(std::time(nullptr)));
+  out << fmt::format("# {} on one core of {}, {:%Y-%m-%d}\n", command, processor_name(),
+                     fmt::gmtime(std::time(nullptr)));
   out << "method,time step [s],root mean square [Pa],low [Pa],high [Pa],mean [Pa],weight of the bed [Pa],measured "
          "[s],failure\n";
   for (const Method& method : methods())

@@ -21,15 +21,8 @@ struct NoisePoint {
   std::string failure;      ///< why there is no value, empty where there is one
 };
 
-/// 3600 spheres of 5 mm in the 50 mm column at 0.10 m/s, cells of 6.25 mm, with springs and steps of the spheres that
-/// suit any step of the liquid between 1e-4 and 1e-3 s.
-Scene study_scene();
-
-/// Spheres of the scene's bed after `seconds` of fluidisation from a loose packing, with liquid steps of 1e-3 s.
-dem::Particles fluidised(Scene scene, double seconds);
-
-/// Goes on from there with the scene's own scheme and step: `transient` for the liquid to match the spheres, then
-/// `seconds` of measurement. A breakdown is kept as the point's failure.
+/// Goes on from `start` with the scene's own scheme and step: `transient` for the liquid to match the spheres, then
+/// `seconds` of measurement [s]. A breakdown is kept as the point's failure.
 NoisePoint measure(const Scene& scene, const dem::Particles& start, double transient, double seconds);
 
 /// Every scheme at every step of the study; written with machine, date and `command` as comments.

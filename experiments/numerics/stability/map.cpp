@@ -17,6 +17,7 @@ namespace slfb::stability {
 namespace {
 
 using nlohmann::ordered_json;
+using studies::Set;
 using studies::Trial;
 using studies::TrialResult;
 
@@ -79,6 +80,8 @@ Trial Map::trial(const MapSeries& of, double x, double y) const {
 }
 
 std::vector<std::filesystem::path> map_files() { return toml_files(folder() / "maps"); }
+
+std::filesystem::path map_file(const std::string& id) { return folder() / "maps" / (id + ".toml"); }
 
 Map load_map(const std::filesystem::path& file, Set set) {
   const toml::table parsed = parse_toml_file(file);
@@ -239,14 +242,14 @@ void save_solved(const SolvedMap& solved, const std::filesystem::path& file) {
 
 SolvedMap load_solved(const Map& map, const std::filesystem::path& out) {
   SolvedMap own = load_file(solved_file(out, map.id)), committed = load_file(committed_file(map.id));
-  SolvedMap drawn = stands_behind(own, committed) ? std::move(committed) : std::move(own);
+  SolvedMap drawn = committed_is_better(own, committed) ? std::move(committed) : std::move(own);
   drawn.id = map.id;
   return drawn;
 }
 
 SolvedMap load_beside(const Map& map, const std::filesystem::path& out) {
   SolvedMap own = load_file(solved_file(out, map.id));
-  return stands_behind(own, load_file(committed_file(map.id))) ? own : SolvedMap{};
+  return committed_is_better(own, load_file(committed_file(map.id))) ? own : SolvedMap{};
 }
 
 }  // namespace slfb::stability

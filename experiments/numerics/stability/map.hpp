@@ -12,8 +12,6 @@
 /// Where methods fail: the boundary over two parameters, by bisection on a criterion stated in physics.
 namespace slfb::stability {
 
-enum class Set { quick, full };
-
 /// A limit that theory gives, drawn beside the boundary.
 struct Theory {
   std::string name;     ///< for the key
@@ -54,8 +52,10 @@ struct Map {
 };
 
 /// \throws std::runtime_error with file, line and key; std::invalid_argument, SceneError for settings
-Map load_map(const std::filesystem::path& file, Set set);
+Map load_map(const std::filesystem::path& file, studies::Set set);
+/// Files of all maps, by name.
 std::vector<std::filesystem::path> map_files();
+std::filesystem::path map_file(const std::string& id);
 
 enum class BoundaryKind { found, never_fails, always_fails };
 

@@ -8,6 +8,7 @@
 #include <limits>
 #include <set>
 
+#include "experiments/numerics/figures.hpp"
 #include "reports/gnuplot.hpp"
 
 namespace slfb::stability {
@@ -163,3 +164,20 @@ FigureOutput draw_map(const Map& map, const SolvedMap& solved, const SolvedMap& 
 }
 
 }  // namespace slfb::stability
+
+namespace slfb {
+
+std::vector<Figure> stability_maps() {
+  std::vector<Figure> list;
+  for (const auto& file : stability::map_files())
+    list.push_back({"stability-" + file.stem().string(), stability::load_map(file, studies::Set::full).title, no_runs,
+                    [file](const FigureContext& context) {
+                      const auto map = stability::load_map(file, studies::Set::full);
+                      return stability::draw_map(map, stability::load_solved(map, context.results),
+                                                 stability::load_beside(map, context.results), context.out);
+                    },
+                    "numerics/stability"});
+  return list;
+}
+
+}  // namespace slfb

@@ -5,22 +5,15 @@
 #include <xxhash.h>
 
 #include <algorithm>
-#include <fstream>
 #include <stdexcept>
 
 #include "solver/support/folders.hpp"
+#include "solver/support/processor.hpp"
 
 namespace slfb::studies {
 namespace {
 
 constexpr std::string_view parameter_prefix = "problem.";
-
-std::string machine_name() {
-  std::ifstream cpu_info("/proc/cpuinfo");
-  for (std::string line; std::getline(cpu_info, line);)
-    if (line.starts_with("model name")) return line.substr(line.find(':') + 2);
-  return "unknown processor";
-}
 
 }  // namespace
 
@@ -95,7 +88,7 @@ TrialResult solve(const Trial& trial) {
     result.failure = reason.substr(0, reason.find("; state saved in "));
     result.cpu_seconds = thread_cpu_seconds() - start;
   }
-  result.machine = machine_name();
+  result.machine = processor_name();
   return result;
 }
 

@@ -46,7 +46,7 @@ struct SolvedPlace {
   SolvedPlace(const Place& place, const std::filesystem::path& results)
       : study(frontier::load_study(
             source_folder() / "experiments" / "numerics" / "frontier" / "studies" / (place.study + ".toml"),
-            frontier::Set::full)),
+            studies::Set::full)),
         reduced(frontier::load_reduced(study, results)),
         point(nullptr) {
     for (const auto& one : reduced.points)

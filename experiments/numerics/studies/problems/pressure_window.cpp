@@ -2,21 +2,15 @@
 #include <cmath>
 
 #include "correlations/materials.hpp"
-#include "experiments/numerics/pressure_noise/noise_study.hpp"
+#include "experiments/numerics/studies/coupled_bed.hpp"
 #include "experiments/numerics/studies/problems/problem_list.hpp"
-#include "solver/coupling/phase_coupling.hpp"
-#include "solver/dem/engine.hpp"
-#include "solver/dem/packing.hpp"
-#include "solver/dem/walls.hpp"
-#include "solver/fluid/liquid_solver.hpp"
 
 namespace slfb::studies {
 namespace {
 
-/// The bed of experiments/numerics/pressure_noise in small, after half a second of fluidisation with the schemes of the
-/// suite.
+/// The bed of the study of pressure noise in small.
 Scene start_scene(const Scene& scene) {
-  Scene small = noise::study_scene();
+  Scene small = glass_bed();
   small.geometry.diameter = 0.025;
   small.geometry.height = 0.14;
   small.fluid.cells_across = 4;
@@ -27,7 +21,9 @@ Scene start_scene(const Scene& scene) {
 
 TrialResult solve(const Scene& given, const Parameters& parameters, int) {
   Scene scene = start_scene(given);
-  const dem::Particles spheres = noise::fluidised(scene, 0.5);
+  // Half a second of fluidisation with the schemes of the suite; the spheres go on without rotation.
+  dem::Particles spheres = fluidised(scene, 0.5);
+  spheres.angular_velocity.set_zero();
   const auto geometry = scene.geometry;
   const auto cells = scene.fluid.cells_across;
   const auto height = scene.fluid.cell_height;
@@ -43,26 +39,15 @@ TrialResult solve(const Scene& given, const Parameters& parameters, int) {
       cell > 0.0 ? std::max(1, static_cast<int>(std::lround(geometry.diameter / (cell * 0.005)))) : cells;
   scene.fluid.cell_height = cell > 0.0 ? cell * 0.005 : height;
 
-  dem::Engine engine(scene.contact, dem::walls_of(scene), {0.0, 0.0, 0.0}, 1);
-  fluid::LiquidSolver liquid(scene);
-  coupling::PhaseCoupling exchange(scene, &liquid);
-  for (std::size_t i = 0; i < spheres.size(); ++i)
-    engine.add_particle(spheres.position.at(i), spheres.radius[i], scene.species.front().density, 0);
-  engine.particles.velocity = spheres.velocity;
-  const double step = scene.fluid.time_step, seconds = parameters.at("seconds");
-  const auto substeps = std::llround(step / scene.contact.time_step);
-  const auto advance = [&](double duration, auto each) {
-    for (auto k = std::llround(duration / step); k > 0; --k) {
-      exchange.advance(engine, step);
-      engine.advance(substeps);
-      each();
-    }
-  };
-  advance(parameters.at("transient"), [] {});
+  CoupledBed bed(scene, spheres);
+  const dem::Engine& engine = bed.engine;
+  const fluid::LiquidSolver& liquid = bed.liquid;
+  bed.advance(parameters.at("transient"));
+  const double seconds = parameters.at("seconds");
   const auto iterations = liquid.cost().pressure_iterations;
   double sum = 0.0, squares = 0.0, n = 0.0, drift = 0.0;
   const double start = thread_cpu_seconds();
-  advance(seconds, [&] {
+  bed.advance(seconds, [&] {
     sum += liquid.inlet_pressure();
     squares += liquid.inlet_pressure() * liquid.inlet_pressure();
     drift = std::max(drift, liquid.continuity_error());

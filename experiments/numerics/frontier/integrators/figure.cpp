@@ -1,5 +1,3 @@
-#include "experiments/numerics/frontier/integrators.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -10,7 +8,8 @@
 #include <utility>
 
 #include "correlations/materials.hpp"
-#include "experiments/figures/figure_support.hpp"
+#include "experiments/numerics/figures.hpp"
+#include "reports/gnuplot.hpp"
 #include "solver/dem/contact_reference.hpp"
 #include "solver/dem/engine.hpp"
 
@@ -149,8 +148,6 @@ Outcome strike(const Impact& impact, const Method& method, int steps, const dem:
   return {std::sqrt(sum / spheres) / speed, largest / speed, 1e9 * cpu / spheres};
 }
 
-std::vector<std::string> needs(const Profile&) { return {}; }
-
 FigureOutput draw(const FigureContext& context) {
   FigureOutput output{"frontier-integrators",
                       {},
@@ -212,8 +209,8 @@ FigureOutput draw(const FigureContext& context) {
 }  // namespace
 
 Figure frontier_integrators() {
-  return {"frontier-integrators", "Speed against accuracy: integrators of the particles' motion", needs, draw,
-          "numerics/frontier"};
+  return {"frontier-integrators", "Speed against accuracy: integrators of the particles' motion", no_runs, draw,
+          "numerics/frontier/integrators"};
 }
 
 }  // namespace slfb

@@ -1,18 +1,15 @@
-#include "experiments/numerics/pressure_noise/pressure_noise.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <set>
 
-#include "experiments/figures/figure_support.hpp"
+#include "experiments/numerics/figures.hpp"
 #include "experiments/numerics/pressure_noise/noise_study.hpp"
+#include "reports/gnuplot.hpp"
 #include "solver/support/folders.hpp"
 
 namespace slfb {
 namespace {
-
-std::vector<std::string> needs(const Profile&) { return {}; }
 
 FigureOutput draw(const FigureContext& context) {
   FigureOutput output{
@@ -80,7 +77,7 @@ FigureOutput draw(const FigureContext& context) {
 }  // namespace
 
 Figure pressure_noise() {
-  return {"pressure-noise", "Noise of the pressure drop: void-fraction schemes at long and short steps", needs, draw,
+  return {"pressure-noise", "Noise of the pressure drop: void-fraction schemes at long and short steps", no_runs, draw,
           "numerics/pressure_noise"};
 }
 

@@ -1,10 +1,9 @@
-#include "experiments/numerics/kinetic_theory/kinetic_theory.hpp"
-
 #include <fmt/format.h>
 
 #include "correlations/collision/collision_laws.hpp"
-#include "experiments/figures/figure_support.hpp"
+#include "experiments/numerics/figures.hpp"
 #include "experiments/numerics/kinetic_theory/periodic_gas.hpp"
+#include "reports/gnuplot.hpp"
 
 namespace slfb {
 namespace {
@@ -12,8 +11,6 @@ namespace {
 double equation_6(double solids, double contact_value) {
   return collision::Simonin1991{}({solids, 1.0, 1.0, 1.0, 0.0, contact_value});
 }
-
-std::vector<std::string> needs(const Profile&) { return {}; }
 
 FigureOutput draw(const FigureContext& context) {
   FigureOutput output{"kinetic-theory", {}, "", {"512 spheres, 12 collisions of each, 20 steps per contact."}};
@@ -73,7 +70,7 @@ FigureOutput draw(const FigureContext& context) {
 }  // namespace
 
 Figure kinetic_theory() {
-  return {"kinetic-theory", "Collision frequency of an elastic gas against kinetic theory", needs, draw,
+  return {"kinetic-theory", "Collision frequency of an elastic gas against kinetic theory", no_runs, draw,
           "numerics/kinetic_theory"};
 }
 

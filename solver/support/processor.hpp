@@ -1,0 +1,11 @@
+#pragma once
+
+#include <string>
+
+namespace slfb {
+
+/// Model of the processor, "AMD EPYC 7B13" for instance, as /proc/cpuinfo names it; "unknown processor" where that does
+/// not say. It is kept with every measured time.
+std::string processor_name();
+
+}  // namespace slfb
