@@ -323,6 +323,13 @@ bool Hdf5File::exists(const std::string& path) const {
   return true;
 }
 
+bool Hdf5File::is_group(const std::string& path) const {
+  const LibraryLock lock;
+  const Handle object(H5Oopen(handle_, path.c_str(), H5P_DEFAULT), H5Oclose);
+  if (!object.valid()) fail("open", path);
+  return H5Iget_type(object.get()) == H5I_GROUP;
+}
+
 bool Hdf5File::has_attribute(const std::string& object, const std::string& name) const {
   const LibraryLock lock;
   return exists(object) && H5Aexists_by_name(handle_, object.c_str(), name.c_str(), H5P_DEFAULT) > 0;

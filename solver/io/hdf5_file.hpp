@@ -60,6 +60,8 @@ class Hdf5File {
   [[nodiscard]] std::string read_string_attribute(const std::string& object, const std::string& name) const;
 
   [[nodiscard]] bool exists(const std::string& path) const;
+  /// Whether a name that exists is a group; else it is a data set.
+  [[nodiscard]] bool is_group(const std::string& path) const;
   [[nodiscard]] bool has_attribute(const std::string& object, const std::string& name) const;
   /// Names of the data sets and groups in a group, in alphabetical order.
   [[nodiscard]] std::vector<std::string> children(const std::string& group) const;

@@ -2,16 +2,15 @@
 
 #include <cmath>
 
-namespace slfb {
+namespace slfb::simulation {
 
-FluctuationWindow::FluctuationWindow(const fluid::ColumnGrid& grid) {
-  constexpr double bottom = 0.1, top = 0.2;  // [m]
+FluctuationWindow::FluctuationWindow(const fluid::ColumnGrid& grid, const std::array<double, 2>& heights) {
   const int row = grid.squares(1) / 2;
   for (int ix = 0; ix < grid.squares(0); ++ix) {
     if (!grid.square_inside(ix, row)) continue;
     for (int k = 0; k < grid.layers(); ++k) {
       const double z = (k + 0.5) * grid.cell_height();
-      if (z < bottom || z > top) continue;
+      if (z < heights[0] || z > heights[1]) continue;
       cells_.push_back(static_cast<std::size_t>(grid.cell_of_square(ix, row) * grid.layers() + k));
       x_.push_back(grid.lower(0) + (ix + 0.5) * grid.spacing(0));
       z_.push_back(z);
@@ -61,4 +60,4 @@ void FluctuationWindow::reduce(LiquidFluctuation& result) const {
   }
 }
 
-}  // namespace slfb
+}  // namespace slfb::simulation

@@ -3,24 +3,16 @@
 #include <atomic>
 #include <filesystem>
 #include <functional>
-#include <string>
 
 #include "solver/io/run_result.hpp"
+#include "solver/run/progress.hpp"
 #include "solver/scene/scene.hpp"
 
 namespace slfb {
 
-struct Progress {
-  std::string stage;
-  double simulated_seconds = 0.0;
-  double planned_seconds = 0.0;  ///< for drops an estimate from the spheres that have arrived
-  double wall_seconds = 0.0;
-  double particle_steps_per_second = 0.0;
-};
-
 struct RunOptions {
-  int threads = 1;
-  std::filesystem::path directory;  ///< of checkpoint.h5, failure.h5 and snapshots; created if missing
+  int threads = 1;                  ///< of this run; the result does not depend on it
+  std::filesystem::path directory;  ///< of checkpoint, failure.h5 and snapshots; created if missing
   std::function<void(const Progress&)> progress;
   double progress_interval = 0.2;           ///< wall-clock time between calls of `progress` [s]
   const std::atomic<bool>* stop = nullptr;  ///< set from outside to end after the present liquid step
@@ -38,7 +30,8 @@ struct RunOutcome {
 /// Resumes from directory/checkpoint.h5 if that belongs to the same scene and numerics version, with bitwise the same
 /// continuation. Writes checkpoints on the way and when stopped; the last one stays, so that nothing is lost before the
 /// result is saved. When the motion or the liquid breaks down, the state is saved to directory/failure.h5 and a
-/// std::runtime_error tells what, where and when.
+/// std::runtime_error tells what, where and when. Throws SceneError if the bed does not fit into the column, and
+/// std::runtime_error if a file cannot be written or the checkpoint cannot be read.
 RunOutcome run_scene(const Scene& scene, const RunOptions& options);
 
 /// Removes what run_scene has left in its directory for a continuation or after a failure.

@@ -1,0 +1,86 @@
+#include "solver/run/bed_recorder.hpp"
+
+#include <spdlog/spdlog.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <vector>
+
+#include "solver/dem/granular_temperature.hpp"
+
+namespace slfb::simulation {
+
+void BedRecorder::measure_packed_bed(const Model& model) {
+  const dem::Particles& particles = model.particles();
+  if (particles.size() == 0) return;
+  double moment = 0.0, volume = 0.0;
+  for (std::size_t i = 0; i < particles.size(); ++i) {
+    moment += particles.volume(i) * particles.position.z[i];
+    volume += particles.volume(i);
+  }
+  result_.packed_height = 2.0 * moment / volume;
+  result_.packed_voidage = 1.0 - volume / (scene_.geometry.cross_section() * result_.packed_height);
+}
+
+bool BedRecorder::sample(const Model& model, double time) {
+  const dem::Particles& particles = model.particles();
+  const dem::Engine& engine = model.engine();
+  const std::optional<std::size_t> dropped = model.dropped();
+  std::vector<double> heights;
+  double moment = 0.0, volume = 0.0, contacts = 0.0, events = 0.0;
+  for (std::size_t i = 0; i < particles.size(); ++i) {
+    if (i == dropped) continue;
+    heights.push_back(particles.position.z[i]);
+    moment += particles.volume(i) * particles.position.z[i];
+    volume += particles.volume(i);
+    contacts += engine.contacts(i);
+    events += static_cast<double>(engine.contact_events(i));
+  }
+  if (heights.empty()) return false;
+  const auto n = static_cast<double>(heights.size());
+  const auto top = heights.begin() + static_cast<std::ptrdiff_t>(0.99 * (n - 1.0));
+  std::nth_element(heights.begin(), top, heights.end());
+  BedSeries& bed = result_.bed;
+  bed.time.push_back(time);
+  bed.pressure_drop.push_back(model.liquid() != nullptr ? model.liquid()->inlet_pressure() : 0.0);
+  bed.centre_of_mass_height.push_back(moment / volume);
+  bed.bed_top.push_back(*top);
+  const double box = 8.0 * *std::max_element(particles.radius.begin(), particles.radius.end());
+  bed.fluctuating_energy.push_back(dem::fluctuating_energy(particles, dropped));
+  bed.local_fluctuating_energy.push_back(dem::local_fluctuating_energy(particles, {box, box, box}, dropped));
+  bed.contacts_per_particle.push_back(contacts / n);
+  bed.cumulative_contacts.push_back(events / n);
+  sample_contact_forces(model, time);
+  bed.maximum_overlap.push_back(engine.maximum_overlap());
+  bed.foreign_present.push_back(dropped ? 1.0 : 0.0);
+  return true;
+}
+
+/// Mean normal force of the contacts, by what touches, and whether the time step can follow the contact network.
+void BedRecorder::sample_contact_forces(const Model& model, double time) {
+  enum Kind : std::size_t { bed, dropped, wall };
+  std::array<double, 3> sum{}, count{};
+  for (const auto& pair : model.engine().touching_pairs()) {
+    const bool of_dropped = pair.first == model.dropped() || (!pair.at_wall && pair.second == model.dropped());
+    const Kind kind = pair.at_wall ? wall : of_dropped ? dropped : bed;
+    sum[kind] += pair.normal_force;
+    count[kind] += 1.0;
+  }
+  const auto mean = [&](Kind kind) { return count[kind] > 0.0 ? sum[kind] / count[kind] : 0.0; };
+  result_.bed.contact_force_bed.push_back(mean(bed));
+  result_.bed.contact_force_foreign.push_back(mean(dropped));
+  result_.bed.contact_force_wall.push_back(mean(wall));
+  const double time_step = model.engine().time_step();
+  const double network_step = time_step * std::sqrt(model.engine().network_frequency_squared());
+  result_.bed.network_step.push_back(network_step);
+  if (network_step > 2.0 && !warned_of_network_) {
+    warned_of_network_ = true;
+    spdlog::warn(
+        "{}: at {:.3f} s the contacts of one sphere make up to {:.2f} of contact.time_step = {:g} s; steps are surely "
+        "stable only below 2 (step times frequency, 2 sum k/m per sphere), so that here {:.3g} s would be needed",
+        scene_.title, time, network_step, time_step, 2.0 / network_step * time_step);
+  }
+}
+
+}  // namespace slfb::simulation

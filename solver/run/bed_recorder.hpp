@@ -1,0 +1,28 @@
+#pragma once
+
+#include "solver/io/run_result.hpp"
+#include "solver/run/model.hpp"
+
+namespace slfb::simulation {
+
+/// Samples of the bed: its spheres without the dropped one.
+class BedRecorder {
+ public:
+  /// \param result is filled; it must outlive the recorder, as the scene must
+  BedRecorder(const Scene& scene, RunResult& result) : scene_(scene), result_(result) {}
+
+  /// Height and voidage of the bed at the end of settling; nothing without spheres.
+  void measure_packed_bed(const Model& model);
+  /// One sample, `time` [s] after the start of fluidisation; all but the force balance. False, and no sample, if no
+  /// sphere of the bed is left. Warns once if the contact network is too stiff for the spheres' time step.
+  bool sample(const Model& model, double time);
+
+ private:
+  void sample_contact_forces(const Model& model, double time);
+
+  const Scene& scene_;
+  RunResult& result_;
+  bool warned_of_network_ = false;
+};
+
+}  // namespace slfb::simulation

@@ -1,0 +1,70 @@
+#include "solver/run/checkpoint_files.hpp"
+
+#include <fmt/core.h>
+
+#include <stdexcept>
+
+#include "solver/io/hdf5_file.hpp"
+
+namespace slfb::simulation {
+namespace {
+
+/// Of the names in a checkpoint and their meaning; raised when they change.
+constexpr std::int64_t state_version = 1;
+
+/// Removes all records but those in the file `kept`.
+void remove_records(const std::filesystem::path& directory, const std::filesystem::path& kept) {
+  for (const auto& entry : std::filesystem::directory_iterator(directory))
+    if (entry.path().filename().string().starts_with("records_") && entry.path().filename() != kept)
+      std::filesystem::remove(entry.path());
+}
+
+}  // namespace
+
+void CheckpointFiles::write(const std::filesystem::path& file, const std::string& records,
+                            const io::StateGroup::Exchange& state) const {
+  io::write_atomically(file, [&](io::Hdf5File& target) {
+    target.write_attribute("/", "scene_hash", scene_hash_);
+    target.write_attribute("/", "state_version", state_version);
+    target.write_attribute("/", "records", records);
+    io::write_state(target, state);
+  });
+}
+
+void CheckpointFiles::save(const RunResult& result, std::int64_t number, const io::StateGroup::Exchange& state) const {
+  const std::string records = fmt::format("records_{}.h5", number);
+  // The records go first, and the old ones last: the checkpoint always finds its own.
+  save_result(result, directory_ / records);
+  write(checkpoint(), records, state);
+  remove_records(directory_, records);
+}
+
+bool CheckpointFiles::load(RunResult& result, const io::StateGroup::Exchange& state) const {
+  if (!std::filesystem::exists(checkpoint())) return false;
+  try {
+    const auto source = io::Hdf5File::open(checkpoint());
+    if (source.read_string_attribute("/", "scene_hash") != scene_hash_) return false;
+    if (!source.has_attribute("/", "state_version") ||
+        source.read_integer_attribute("/", "state_version") != state_version)
+      throw std::runtime_error(fmt::format("{}: made by an earlier or later version of slfb", checkpoint().string()));
+    io::read_state(source, state);
+    result = load_result(directory_ / source.read_string_attribute("/", "records"));
+  } catch (const std::exception& error) {
+    throw std::runtime_error(fmt::format("the run cannot go on from its checkpoint: {}; remove {} to start anew",
+                                         error.what(), directory_.string()));
+  }
+  return true;
+}
+
+std::filesystem::path CheckpointFiles::save_failure(const io::StateGroup::Exchange& state) const {
+  auto file = directory_ / "failure.h5";
+  write(file, "", state);
+  return file;
+}
+
+void CheckpointFiles::remove(const std::filesystem::path& directory) {
+  for (const char* file : {"checkpoint.h5", "failure.h5"}) std::filesystem::remove(directory / file);
+  remove_records(directory, {});
+}
+
+}  // namespace slfb::simulation

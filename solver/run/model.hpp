@@ -1,0 +1,68 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "solver/coupling/phase_coupling.hpp"
+#include "solver/dem/engine.hpp"
+#include "solver/fluid/liquid_solver.hpp"
+#include "solver/io/state_group.hpp"
+#include "solver/scene/scene.hpp"
+
+namespace slfb::simulation {
+
+/// Spheres and liquid of a scene and how they advance together; knows no stages and records nothing.
+///
+/// Spheres are put in and taken out here, so that engine and coupling always agree on them.
+class Model {
+ public:
+  /// A column without spheres. `scene` must outlive the model.
+  Model(const Scene& scene, int threads);
+
+  /// Puts the spheres of the bed in, as a loose packing. Throws SceneError if they do not fit.
+  void fill();
+
+  /// One liquid step: exchange, liquid, then the spheres in their own steps. While the bed settles the liquid is at
+  /// rest. Returns the sphere steps that were done. Throws dem::EngineError or fluid::FluidError if the motion or the
+  /// liquid breaks down.
+  std::int64_t advance(bool settling);
+
+  /// Whether a sphere of `species` has room with its centre on the axis at `height` [m].
+  [[nodiscard]] bool has_room(const Species& species, double height) const;
+  /// Puts the dropped sphere in, at rest, there.
+  void release(const Species& species, double height);
+  /// Index of the dropped sphere, if it is in the column.
+  [[nodiscard]] std::optional<std::size_t> dropped() const { return dropped_; }
+  [[nodiscard]] bool dropped_sphere_at_bottom() const;
+  void take_out_dropped();
+  /// Takes out all spheres of the bed above the column's height; returns how many.
+  std::int64_t remove_above_top();
+
+  [[nodiscard]] const dem::Engine& engine() const { return engine_; }
+  [[nodiscard]] const dem::Particles& particles() const { return engine_.particles; }
+  /// Null if the scene has none that flows.
+  [[nodiscard]] const fluid::LiquidSolver* liquid() const { return liquid_.get(); }
+  /// Between the spheres and the flowing liquid.
+  [[nodiscard]] coupling::PhaseCoupling& coupling() { return *flowing_; }
+  [[nodiscard]] const coupling::PhaseCoupling& coupling() const { return *flowing_; }
+
+  /// Σ m v_z of the spheres [kg m/s].
+  [[nodiscard]] double sphere_momentum() const;
+
+  /// Everything that the next step depends on.
+  void exchange(io::StateGroup& state);
+
+ private:
+  void exchange_engine(io::StateGroup& group);
+
+  const Scene& scene_;
+  dem::Engine engine_;
+  std::unique_ptr<fluid::LiquidSolver> liquid_;
+  std::unique_ptr<coupling::PhaseCoupling> resting_, flowing_;  ///< while the bed settles, and after
+  std::int64_t sphere_steps_;                                   ///< per liquid step
+  std::optional<std::size_t> dropped_;
+};
+
+}  // namespace slfb::simulation

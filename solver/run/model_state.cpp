@@ -1,0 +1,139 @@
+// What a checkpoint holds of spheres, liquid and their exchange.
+#include <fmt/format.h>
+
+#include "solver/run/model.hpp"
+
+namespace slfb::simulation {
+namespace {
+
+void exchange_vectors(io::StateGroup& group, const std::string& name, dem::VectorField& field, const std::string& unit,
+                      std::size_t length) {
+  group.part(name, [&](io::StateGroup& components) {
+    components.values("x", field.x, unit, length);
+    components.values("y", field.y, unit, length);
+    components.values("z", field.z, unit, length);
+  });
+}
+
+/// A state that its owner gives and takes by name. The owner's restore finds what is missing; names that the owner does
+/// not have, and lengths other than those at the start, are found here.
+template <class Owner, class Restore>
+void exchange_fields(io::StateGroup& group, const Owner& owner, Restore restore) {
+  const NamedFields present = owner.state();
+  if (!group.reading()) return group.write_fields(present);
+  const NamedFields read = group.read_fields();
+  for (const auto& [name, values] : present) {
+    const auto found = read.find(name);
+    if (found != read.end() && !values.empty() && !found->second.empty() && found->second.size() != values.size())
+      group.fail(name, fmt::format("has {} values instead of {}", found->second.size(), values.size()));
+  }
+  try {
+    restore(read);
+  } catch (const std::exception& error) {
+    group.fail("", error.what());
+  }
+  const NamedFields restored = owner.state();
+  for (const auto& [name, values] : read)
+    if (!restored.contains(name)) group.fail(name, "is not a name of this state");
+}
+
+/// Contacts as one array per property.
+void exchange_contacts(io::StateGroup& group, std::vector<dem::ContactRecord>& records) {
+  const auto column = [&](const std::string& name, auto property, const std::string& unit = "") {
+    std::vector<double> values;
+    for (dem::ContactRecord& record : records) values.push_back(property(record));
+    group.values(name, values, unit, records.size());
+    for (std::size_t c = 0; c < records.size(); ++c) property(records[c]) = values[c];
+  };
+  const auto number = [&](const std::string& name, std::uint32_t dem::ContactRecord::*property, bool first) {
+    std::vector<std::int64_t> values;
+    for (const dem::ContactRecord& record : records) values.push_back(record.*property);
+    group.values(name, values, first ? std::optional<std::size_t>() : records.size());
+    records.resize(values.size());
+    for (std::size_t c = 0; c < records.size(); ++c) records[c].*property = static_cast<std::uint32_t>(values[c]);
+  };
+  using Record = dem::ContactRecord;
+  number("first", &Record::first, true);
+  number("second", &Record::second, false);
+  number("first_step", &Record::first_step, false);
+  column(
+      "spring_x", [](Record& c) -> double& { return c.spring.x; }, "m");
+  column(
+      "spring_y", [](Record& c) -> double& { return c.spring.y; }, "m");
+  column(
+      "spring_z", [](Record& c) -> double& { return c.spring.z; }, "m");
+  column(
+      "rolling_memory_x", [](Record& c) -> double& { return c.rolling_memory.x; }, "N m");
+  column(
+      "rolling_memory_y", [](Record& c) -> double& { return c.rolling_memory.y; }, "N m");
+  column(
+      "rolling_memory_z", [](Record& c) -> double& { return c.rolling_memory.z; }, "N m");
+  column(
+      "impact_speed", [](Record& c) -> double& { return c.impact_speed; }, "m s-1");
+}
+
+void exchange_particles(io::StateGroup& group, dem::Particles& particles) {
+  group.values("radius", particles.radius, "m");
+  const std::size_t n = particles.radius.size();
+  group.values("mass", particles.mass, "kg", n);
+  group.values("added_mass", particles.added_mass, "kg", n);
+  std::vector<std::int64_t> species(particles.species.begin(), particles.species.end());
+  group.values("species", species, n);
+  particles.species.assign(species.begin(), species.end());
+  exchange_vectors(group, "position", particles.position, "m", n);
+  exchange_vectors(group, "velocity", particles.velocity, "m s-1", n);
+  exchange_vectors(group, "angular_velocity", particles.angular_velocity, "rad s-1", n);
+}
+
+void exchange_memory(io::StateGroup& group, dem::Engine::Memory& memory, std::size_t n) {
+  group.value("steps", memory.steps);
+  group.part("sphere_contacts", [&](io::StateGroup& contacts) { exchange_contacts(contacts, memory.contacts); });
+  group.part("wall_contacts", [&](io::StateGroup& contacts) { exchange_contacts(contacts, memory.wall_contacts); });
+  group.values("contact_events", memory.contact_events, n);
+  exchange_vectors(group, "mean_solid_force", memory.mean_solid_force, "N", n);
+  group.values("integrator", memory.integrator);
+  group.part("neighbour_list", [&](io::StateGroup& list) {
+    exchange_vectors(list, "position", memory.list_position, "m", n);
+    list.value("skin", memory.skin, "m");
+    list.value("travel", memory.travel, "m");
+    list.value("margin", memory.margin, "m");
+    list.value("step", memory.list_step);
+  });
+}
+
+}  // namespace
+
+void Model::exchange_engine(io::StateGroup& group) {
+  dem::Particles particles;
+  dem::Engine::Memory memory;
+  std::int64_t dropped = dropped_ ? static_cast<std::int64_t>(*dropped_) : -1;
+  if (!group.reading()) {
+    particles = engine_.particles;
+    memory = engine_.memory();
+  }
+  group.part("particles", [&](io::StateGroup& part) { exchange_particles(part, particles); });
+  const std::size_t n = particles.size();
+  group.part("memory", [&](io::StateGroup& part) { exchange_memory(part, memory, n); });
+  group.value("dropped", dropped);
+  if (!group.reading()) return;
+  engine_.restore(std::move(particles), memory);
+  dropped_.reset();
+  if (dropped >= 0) dropped_ = static_cast<std::size_t>(dropped);
+  engine_.track(dropped_);
+}
+
+void Model::exchange(io::StateGroup& state) {
+  state.part("spheres", [&](io::StateGroup& group) { exchange_engine(group); });
+  if (liquid_)
+    state.part("liquid", [&](io::StateGroup& group) {
+      exchange_fields(group, *liquid_, [&](const NamedFields& fields) { liquid_->restore(fields); });
+    });
+  for (const auto& [name, coupling] :
+       {std::pair{"exchange_at_rest", resting_.get()}, std::pair{"exchange_in_flow", flowing_.get()}})
+    state.part(name, [&](io::StateGroup& group) {
+      exchange_fields(group, *coupling,
+                      [&](const NamedFields& fields) { coupling->restore(fields, engine_.particles); });
+    });
+}
+
+}  // namespace slfb::simulation

@@ -1,0 +1,66 @@
+#include "solver/run/provenance.hpp"
+
+#include <fmt/chrono.h>
+#include <fmt/core.h>
+#include <sys/resource.h>
+#include <sys/utsname.h>
+
+#include <ctime>
+#include <fstream>
+#include <numbers>
+#include <string>
+#include <thread>
+
+#include "solver/scene/scene_file.hpp"
+
+namespace slfb::simulation {
+namespace {
+
+std::string machine_name() {
+  std::ifstream cpu_info("/proc/cpuinfo");
+  for (std::string line; std::getline(cpu_info, line);)
+    if (line.starts_with("model name"))
+      return fmt::format("{}, {} cores", line.substr(line.find(':') + 2), std::thread::hardware_concurrency());
+  utsname system{};
+  uname(&system);
+  return system.machine;
+}
+
+}  // namespace
+
+RunResult new_result(const Scene& scene, int threads) {
+  RunResult result;
+  result.name = scene_hash(scene);
+  result.scene_text = canonical_toml(scene);
+  result.suite_version = SLFB_VERSION;
+  result.threads = threads;
+  result.steps_per_contact = std::numbers::pi * contact_time_step_bound(scene) / scene.contact.time_step;
+  result.machine = machine_name();
+  return result;
+}
+
+double RunCost::thread_cpu_seconds() {
+  rusage usage{};
+  getrusage(RUSAGE_THREAD, &usage);
+  const auto seconds = [](const timeval& t) {
+    return static_cast<double>(t.tv_sec) + 1e-6 * static_cast<double>(t.tv_usec);
+  };
+  return seconds(usage.ru_utime) + seconds(usage.ru_stime);
+}
+
+void RunCost::resume(const RunResult& result) {
+  wall_before_ = result.wall_seconds;
+  cpu_before_ = result.cpu_seconds;
+}
+
+double RunCost::wall_seconds() const {
+  return wall_before_ + std::chrono::duration<double>(Clock::now() - started_).count();
+}
+
+void RunCost::write_to(RunResult& result) const {
+  result.wall_seconds = wall_seconds();
+  result.cpu_seconds = cpu_before_ + (thread_cpu_seconds() - cpu_at_start_) * threads_;
+  result.date = fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::time(nullptr)));
+}
+
+}  // namespace slfb::simulation

@@ -1,0 +1,69 @@
+#include "solver/run/recorder.hpp"
+
+#include <fmt/core.h>
+
+#include "solver/io/vtkhdf.hpp"
+
+namespace slfb::simulation {
+
+Recorder::Recorder(const Scene& scene, Model& model, const Schedule& schedule, const std::filesystem::path& directory,
+                   RunResult& result)
+    : scene_(scene),
+      model_(model),
+      schedule_(schedule),
+      directory_(directory),
+      bed_(scene, result),
+      drop_(result),
+      liquid_(scene, model, result),
+      balance_(scene),
+      result_(result) {}
+
+void Recorder::end_step() {
+  drop_.end_step(model_);
+  balance_.end_step(model_);
+}
+
+void Recorder::record() {
+  const double time = schedule_.fluidised_seconds();
+  const Recording& recording = scene_.recording;
+  if (schedule_.due(recording.bed_interval)) {
+    if (bed_.sample(model_, time)) balance_.take(result_.bed);
+    if (schedule_.stage().kind == StageKind::fluidise && schedule_.in_second_half())
+      liquid_.sample_fluctuation(model_, time);
+  }
+  if (recording.snapshot_interval > 0.0 && schedule_.due(recording.snapshot_interval)) write_snapshot();
+}
+
+void Recorder::drop_started(const std::string& species) {
+  drop_.start_drop(model_, species, schedule_.fluidised_seconds());
+}
+
+void Recorder::record_drop(const DropProtocol& drops, bool at_bottom, bool over) {
+  if (drops.fall_steps() % schedule_.interval_steps(scene_.recording.drop_interval) == 0)
+    drop_.sample(model_, drops.fall_seconds());
+  if (at_bottom) drop_.arrived(drops.fall_seconds());
+  drop_.take_snapshots(model_, over, schedule_.fluidised_seconds());
+}
+
+void Recorder::stage_ended() {
+  if (schedule_.stage().kind == StageKind::settle) bed_.measure_packed_bed(model_);
+  if (schedule_.stage().kind == StageKind::fluidise) liquid_.finish(model_, schedule_.fluidised_seconds());
+}
+
+void Recorder::write_snapshot() const {
+  const auto folder = directory_ / "snapshots";
+  std::filesystem::create_directories(folder);
+  const double time = schedule_.fluidised_seconds();
+  io::write_particles_vtkhdf(folder / fmt::format("particles_{:08.3f}s.vtkhdf", time), model_.particles(), time);
+  if (const fluid::LiquidSolver* liquid = model_.liquid())
+    io::write_liquid_vtkhdf(folder / fmt::format("liquid_{:08.3f}s.vtkhdf", time), liquid->grid(),
+                            model_.coupling().void_fraction(), model_.coupling().cell_velocity(), liquid->pressure(),
+                            time);
+}
+
+void Recorder::exchange(io::StateGroup& state) {
+  state.part("drop_record", [&](io::StateGroup& group) { drop_.exchange(group); });
+  state.part("force_balance", [&](io::StateGroup& group) { balance_.exchange(group); });
+}
+
+}  // namespace slfb::simulation
