@@ -5,10 +5,11 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
+#include <stdexcept>
 
 #include "reports/html.hpp"
 
-namespace slfb {
+namespace slfb::reports {
 namespace {
 
 std::string percentage(double fraction) {
@@ -16,33 +17,30 @@ std::string percentage(double fraction) {
   return fmt::format("{}{:.1f} %", fraction < 0.0 ? "−" : "+", std::fabs(100.0 * fraction));
 }
 
-std::string band_text(const Band& band) {
-  if (std::isinf(band.lower)) return "≤ " + readable_number(band.upper);
-  if (std::isinf(band.upper)) return "≥ " + readable_number(band.lower);
-  return readable_number(band.lower) + " … " + readable_number(band.upper);
+std::string band_text(const std::pair<double, double>& band) {
+  const auto [lower, upper] = band;
+  if (std::isinf(lower)) return "≤ " + readable_number(upper);
+  if (std::isinf(upper)) return "≥ " + readable_number(lower);
+  return readable_number(lower) + " … " + readable_number(upper);
 }
 
-/// What the paper says, with its unit where it is a number.
-std::string paper_side(const Claim& claim) {
-  const std::string text = prose_html(claim.paper_text());
-  const bool in_words = claim.kind == StatementKind::increasing || claim.kind == StatementKind::decreasing ||
-                        claim.kind == StatementKind::words;
-  return in_words ? text : with_unit(text, claim.unit);
+/// What the work states, with its unit where it is a number.
+std::string paper_side(const ClaimRow& claim) {
+  const std::string text = prose_html(claim.paper);
+  return claim.paper_in_words ? text : with_unit(text, claim.unit);
 }
 
-std::string claim_row(const Evaluation& evaluation) {
-  const Claim& claim = evaluation.claim;
+std::string row_html(const ClaimRow& claim) {
   std::string ours, interval, deviation;
-  if (evaluation.ours) ours = with_unit(readable_number(*evaluation.ours), claim.unit);
-  if (evaluation.interval && evaluation.interval->second > evaluation.interval->first)
-    interval = fmt::format("<span class=\"id number\">{} … {}</span>", readable_number(evaluation.interval->first),
-                           readable_number(evaluation.interval->second));
-  if (evaluation.deviation) deviation = percentage(*evaluation.deviation);
+  if (claim.ours) ours = with_unit(readable_number(*claim.ours), claim.unit);
+  if (claim.interval && claim.interval->second > claim.interval->first)
+    interval = fmt::format("<span class=\"id number\">{} … {}</span>", readable_number(claim.interval->first),
+                           readable_number(claim.interval->second));
+  if (claim.deviation) deviation = percentage(*claim.deviation);
   std::string band;
-  if (claim.paper_band)
-    band = fmt::format("<span class=\"id\">band <span class=\"number\">{}</span></span>", band_text(*claim.paper_band));
-  const std::string gate =
-      evaluation.gate == Gate::broken ? " <span class=\"badge not-reproduced\">gate broken</span>" : "";
+  if (claim.band)
+    band = fmt::format("<span class=\"id\">band <span class=\"number\">{}</span></span>", band_text(*claim.band));
+  const std::string gate = claim.gate == Gate::broken ? " <span class=\"badge not-reproduced\">gate broken</span>" : "";
   return fmt::format(
       "<tr id=\"{0}\" data-verdict=\"{1}\" data-figure=\"{2}\"><td class=\"lead\">{3}<span class=\"id\">{0} · "
       "{4}</span>"
@@ -50,51 +48,62 @@ std::string claim_row(const Evaluation& evaluation) {
       "data-label=\"Paper\">"
       "<div>{8}{9}</div></td>{10}{11}<td class=\"reason\" data-label=\"Reason\">{12}</td>"
       "</tr>\n",
-      escape_html(claim.id), verdict_class(evaluation.verdict), escape_html(claim.figure), prose_html(claim.quantity),
-      escape_html(claim.source), verdict_sign(evaluation.verdict), to_string(evaluation.verdict), gate,
-      paper_side(claim), band,
+      escape_html(claim.id), verdict_class(claim.verdict), escape_html(claim.place), prose_html(claim.quantity),
+      escape_html(claim.source), verdict_sign(claim.verdict), verdict_words(claim.verdict), gate, paper_side(claim),
+      band,
       ours.empty()
           ? "<td data-label=\"Ours\"></td>"
           : fmt::format("<td data-label=\"Ours\"><div><span class=\"number\">{}</span>{}</div></td>", ours, interval),
       deviation.empty() ? "<td data-label=\"Deviation\"></td>"
                         : fmt::format("<td data-label=\"Deviation\"><span class=\"number\">{}</span></td>", deviation),
-      prose_html(evaluation.reason));
+      prose_html(claim.reason));
 }
 
 }  // namespace
 
-ClaimGroups claims_by_place(const std::vector<Evaluation>& evaluations) {
+ClaimGroups claims_by_place(const std::vector<ClaimRow>& claims) {
   ClaimGroups groups;
-  for (const auto& evaluation : evaluations) {
-    const auto known = std::find_if(groups.begin(), groups.end(),
-                                    [&](const auto& group) { return group.first == evaluation.claim.figure; });
+  for (const ClaimRow& claim : claims) {
+    const auto known = std::ranges::find(groups, claim.place, &ClaimGroups::value_type::first);
     if (known == groups.end()) {
-      groups.push_back({evaluation.claim.figure, {&evaluation}});
+      groups.push_back({claim.place, {&claim}});
     } else {
-      known->second.push_back(&evaluation);
+      known->second.push_back(&claim);
     }
   }
-  std::stable_sort(groups.begin(), groups.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+  std::ranges::stable_sort(groups, {}, &ClaimGroups::value_type::first);
   return groups;
 }
 
-std::string place_in_paper(const std::string& name) {
-  const auto digits = name.find_first_of("0123456789");
-  const std::string word = name.substr(0, digits);
+std::string place_name(const std::string& place) {
+  const auto digits = place.find_first_of("0123456789");
+  const std::string word = place.substr(0, digits);
   if (digits == std::string::npos) {
-    std::string capital = name;
+    std::string capital = place;
     if (!capital.empty()) capital[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(capital[0])));
     return escape_html(capital);
   }
-  const std::string number = std::to_string(std::stoi(name.substr(digits)));
+  const std::string number = std::to_string(std::stoi(place.substr(digits)));
   if (word == "fig") return "Figure " + number;
   if (word == "table") return "Table " + number;
-  return escape_html(name);
+  return escape_html(place);
+}
+
+std::string verdict_words(Verdict verdict) {
+  switch (verdict) {
+    case Verdict::reproduced:
+      return "reproduced";
+    case Verdict::not_reproduced:
+      return "not reproduced";
+    case Verdict::not_decidable:
+      return "not decidable";
+  }
+  throw std::logic_error("verdict_words: unknown verdict");
 }
 
 std::string verdict_class(Verdict verdict) {
-  std::string name(to_string(verdict));
-  std::replace(name.begin(), name.end(), ' ', '-');
+  std::string name = verdict_words(verdict);
+  std::ranges::replace(name, ' ', '-');
   return name;
 }
 
@@ -107,7 +116,7 @@ const char* verdict_sign(Verdict verdict) {
     case Verdict::not_decidable:
       return "?";
   }
-  return "?";
+  throw std::logic_error("verdict_sign: unknown verdict");
 }
 
 std::string plural(std::size_t count, const std::string& noun) {
@@ -118,14 +127,14 @@ std::string with_unit(const std::string& text, const std::string& unit) {
   return unit == "-" || unit.empty() ? text : text + " " + escape_html(unit);
 }
 
-std::string claim_table(const std::vector<const Evaluation*>& evaluations, const std::string& body_id) {
+std::string claim_table(const std::vector<const ClaimRow*>& claims, const std::string& body_id) {
   std::string html = fmt::format(
       "<div class=\"card scroll\"><table class=\"stack "
       "claims\">\n<thead><tr><th>Claim</th><th>Verdict</th><th>Paper</th>"
       "<th>Ours</th><th>Deviation</th><th>Reason</th></tr></thead>\n<tbody{}>\n",
       body_id.empty() ? "" : fmt::format(" id=\"{}\"", body_id));
-  for (const Evaluation* evaluation : evaluations) html += claim_row(*evaluation);
+  for (const ClaimRow* claim : claims) html += row_html(*claim);
   return html + "</tbody></table></div>\n";
 }
 
-}  // namespace slfb
+}  // namespace slfb::reports

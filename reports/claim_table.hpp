@@ -4,19 +4,22 @@
 #include <utility>
 #include <vector>
 
-#include "experiments/claims/claims.hpp"
+#include "reports/report_contents.hpp"
 
-/// Claims as the pages of the report show them.
-namespace slfb {
+/// Claims as the pages of the report show them. All texts returned are HTML unless it is said otherwise.
+namespace slfb::reports {
 
-/// Evaluations of one place in the paper: figures, tables, then the text.
-using ClaimGroups = std::vector<std::pair<std::string, std::vector<const Evaluation*>>>;
-ClaimGroups claims_by_place(const std::vector<Evaluation>& evaluations);
+/// Claims of one place in the work: figures, tables, then the text.
+using ClaimGroups = std::vector<std::pair<std::string, std::vector<const ClaimRow*>>>;
+ClaimGroups claims_by_place(const std::vector<ClaimRow>& claims);
 
 /// "fig05" → "Figure 5", "table2" → "Table 2", "text" → "Text".
-std::string place_in_paper(const std::string& name);
+std::string place_name(const std::string& place);
 
-/// A verdict as a class of the style sheet.
+/// "reproduced", "not reproduced", "not decidable".
+std::string verdict_words(Verdict verdict);
+
+/// The verdict as a class of the style sheet: "not-reproduced".
 std::string verdict_class(Verdict verdict);
 
 /// One character per verdict, so that colour is never the only sign.
@@ -25,10 +28,10 @@ const char* verdict_sign(Verdict verdict);
 /// "1 claim", "3 claims".
 std::string plural(std::size_t count, const std::string& noun);
 
-/// `text` with its unit, unless that is "-".
+/// `text` with its unit, unless that is "-" or empty.
 std::string with_unit(const std::string& text, const std::string& unit);
 
 /// The table of claims; `body_id` names its body for scripts and may be empty.
-std::string claim_table(const std::vector<const Evaluation*>& evaluations, const std::string& body_id);
+std::string claim_table(const std::vector<const ClaimRow*>& claims, const std::string& body_id);
 
-}  // namespace slfb
+}  // namespace slfb::reports

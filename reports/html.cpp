@@ -1,9 +1,15 @@
 #include "reports/html.hpp"
 
 #include <fmt/format.h>
+#include <md4c-html.h>
+#include <md4c.h>
 
 #include <cmath>
 #include <regex>
+#include <stdexcept>
+
+#include "solver/support/files.hpp"
+#include "solver/support/folders.hpp"
 
 namespace slfb {
 
@@ -60,10 +66,51 @@ std::string readable_number(double value) {
   return text;
 }
 
+std::string readable_range(double lower, double upper) {
+  if (std::isinf(upper)) return lower == 0.0 ? "any" : "≥ " + readable_number(lower);
+  return readable_number(lower) + " … " + readable_number(upper);
+}
+
 std::string readable_duration(double seconds) {
   if (seconds < 100.0) return fmt::format("{:.3g} s", seconds);
   if (seconds < 6000.0) return fmt::format("{:.3g} min", seconds / 60.0);
   return fmt::format("{:.3g} h", seconds / 3600.0);
+}
+
+std::string markdown_html(const std::string& text) {
+  std::string html;
+  const auto append = [](const char* part, MD_SIZE size, void* to) {
+    static_cast<std::string*>(to)->append(part, size);
+  };
+  if (md_html(text.data(), static_cast<MD_SIZE>(text.size()), append, &html, MD_DIALECT_GITHUB, MD_HTML_FLAG_XHTML) !=
+      0)
+    throw std::runtime_error("markdown_html: the text cannot be read");
+  static const std::regex title("^<h1>[^\n]*</h1>\n"), heading("(</?)h[1-6]>");
+  html = std::regex_replace(html, title, "", std::regex_constants::format_first_only);
+  return with_subscripts(std::regex_replace(html, heading, "$1h3>"));
+}
+
+std::string table_html(const std::vector<std::string>& headings, const std::vector<std::vector<std::string>>& rows) {
+  std::string html = "<div class=\"card scroll\"><table class=\"stack\"><thead><tr>";
+  for (const auto& heading : headings) html += "<th>" + heading + "</th>";
+  html += "</tr></thead><tbody>\n";
+  for (const auto& row : rows) {
+    html += "<tr>";
+    for (std::size_t i = 0; i < row.size(); ++i)
+      html += i == 0 ? "<td class=\"lead\">" + row[i] + "</td>"
+                     : fmt::format("<td data-label=\"{}\">{}</td>", headings[i], row[i]);
+    html += "</tr>\n";
+  }
+  return html + "</tbody></table></div>\n";
+}
+
+std::string html_page(const std::string& title, const std::string& body, const std::string& html_class) {
+  return fmt::format(
+      "<!DOCTYPE html>\n<html lang=\"en\"{}>\n<head>\n<meta charset=\"utf-8\" />\n<meta name=\"viewport\" "
+      "content=\"width=device-width, initial-scale=1\" />\n<title>{}</title>\n<style>\n{}</style>\n</head>\n<body>\n"
+      "{}</body>\n</html>\n",
+      html_class.empty() ? "" : fmt::format(" class=\"{}\"", html_class), title,
+      read_file(source_folder() / "reports" / "report.css"), body);
 }
 
 }  // namespace slfb

@@ -4,10 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
 #include <limits>
 #include <regex>
-#include <sstream>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -15,6 +13,7 @@
 #include "correlations/check_values.hpp"
 #include "reports/html.hpp"
 #include "reports/law_plot.hpp"
+#include "solver/support/files.hpp"
 #include "solver/support/folders.hpp"
 
 namespace slfb {
@@ -22,31 +21,13 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::string read_file(const fs::path& file) {
-  std::ifstream stream(file, std::ios::binary);
-  if (!stream) throw std::runtime_error(fmt::format("cannot read {}", file.string()));
-  std::ostringstream text;
-  text << stream.rdbuf();
-  return text.str();
-}
-
-void write_file(const fs::path& file, const std::string& text) {
-  std::ofstream stream(file, std::ios::binary);
-  stream << text;
-  stream.close();
-  if (!stream) throw std::runtime_error(fmt::format("cannot write {}", file.string()));
-}
-
 std::string escape(std::string_view text) { return escape_html(std::string(text)); }
 
 std::string link(std::string_view name) {
   return fmt::format("<a href=\"{0}.html\"><code>{0}</code></a>", escape(name));
 }
 
-std::string range_text(const Range& range) {
-  if (std::isinf(range.upper)) return range.lower == 0.0 ? "any" : "≥ " + readable_number(range.lower);
-  return readable_number(range.lower) + " … " + readable_number(range.upper);
-}
+std::string range_text(const Range& range) { return readable_range(range.lower, range.upper); }
 
 /// The entry of that key in the bibliography as one line: authors, year, title, journal, volume, pages.
 std::string citation(const std::string& bibliography, std::string_view key) {
@@ -75,14 +56,11 @@ std::string citation(const std::string& bibliography, std::string_view key) {
 }
 
 std::string page(const std::string& title, const std::string& body) {
-  const std::string style = read_file(source_folder() / "reports" / "report.css");
-  return fmt::format(
-      "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\" />\n<meta name=\"viewport\" "
-      "content=\"width=device-width, initial-scale=1\" />\n<title>{0}</title>\n<style>\n{1}</style>\n</head>\n<body>\n"
-      "<header class=\"masthead\"><div>\n<h1>{0}</h1>\n</div></header>\n<nav><div><a "
-      "href=\"../laws.html\">Report: "
-      "laws</a><a href=\"variants.html\">Variants by source</a></div></nav>\n<main>\n{2}</main>\n</body>\n</html>\n",
-      title, style, body);
+  return html_page(title, fmt::format("<header class=\"masthead\"><div>\n<h1>{}</h1>\n</div></header>\n<nav><div><a "
+                                      "href=\"../laws.html\">Report: "
+                                      "laws</a><a href=\"variants.html\">Variants by source</a></div></nav>\n"
+                                      "<main>\n{}</main>\n",
+                                      title, body));
 }
 
 /// What a picture holds fixed: the paper's bed, for the drag a voidage in the middle of an expanded one.
@@ -253,6 +231,33 @@ std::string variants_page() {
 }
 
 }  // namespace
+
+std::string law_section() {
+  std::string html = fmt::format(
+      "<p>Every law of the suite with the range that its source states. How a "
+      "formula came to us: <i>read</i> in a source that quotes or implements the original, <i>recalled</i> as common "
+      "knowledge of the field, <i>derived</i> or settled by a limit, or <i>reconstructed</i> as a labelled stand-in "
+      "for "
+      "an original that is not at hand. <code>slfb law NAME</code> evaluates one; its page shows its symbols, its "
+      "curve and its check values. <a href=\"laws/variants.html\">Variants by source</a> shows how far apart sources "
+      "are that print different formulas under one name.</p>\n"
+      "<div class=\"card scroll\"><table class=\"stack\">\n<thead><tr><th>Law</th><th>Kind</th><th>Formula and "
+      "convention</th><th>Re</th><th>Voidage</th><th>Source</th><th>Known by</th></tr></thead>\n<tbody>\n");
+  for (const CatalogueEntry& entry : catalogue()) {
+    const LawInfo& info = entry.info;
+    html += fmt::format(
+        "<tr id=\"law-{0}\"><td class=\"lead\"><a href=\"laws/{0}.html\">{1}</a><span class=\"id\">{0}</span></td><td "
+        "data-label=\"Kind\">{2}</td>"
+        "<td data-label=\"Formula\"><div><code>{3}</code><span class=\"id\">{4}{5}</span></div></td>"
+        "<td data-label=\"Re\"><span class=\"number\">{6}</span></td><td data-label=\"Voidage\"><span "
+        "class=\"number\">{7}"
+        "</span></td><td data-label=\"Source\">{8}</td><td data-label=\"Known by\">{9}</td></tr>\n",
+        escape(info.name), escape(info.title), escape(to_string(info.kind)), escape(info.equation),
+        escape(info.convention), info.note.empty() ? "" : " · " + escape(info.note), range_text(info.reynolds),
+        range_text(info.voidage), escape(info.source), escape(to_string(info.confidence)));
+  }
+  return html + "</tbody></table></div>\n";
+}
 
 void write_law_pages(const fs::path& folder) {
   const fs::path laws = folder / "laws";

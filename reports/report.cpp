@@ -6,107 +6,83 @@
 #include <algorithm>
 #include <array>
 #include <chrono>
-#include <cmath>
-#include <fstream>
-#include <nlohmann/json.hpp>
+#include <map>
 #include <regex>
-#include <set>
-#include <sstream>
 #include <stdexcept>
 
-#include "experiments/runs/measure.hpp"
-#include "experiments/runs/run_files.hpp"
 #include "reports/claim_table.hpp"
 #include "reports/figure_pages.hpp"
 #include "reports/html.hpp"
 #include "reports/law_pages.hpp"
-#include "reports/law_section.hpp"
-#include "reports/markdown.hpp"
+#include "solver/support/files.hpp"
 #include "solver/support/folders.hpp"
 
-namespace slfb {
+namespace slfb::reports {
 namespace {
 
 namespace fs = std::filesystem;
 
-std::string read_file(const fs::path& file) {
-  std::ifstream stream(file, std::ios::binary);
-  if (!stream) throw std::runtime_error(fmt::format("cannot read {}", file.string()));
-  std::ostringstream text;
-  text << stream.rdbuf();
-  return text.str();
-}
-
-struct Page {
-  const char *file, *title;
-};
-constexpr std::array pages{Page{"index.html", "Overview"},
-                           Page{"claims.html", "Claims"},
-                           Page{"figures/drag-law.html", "Drag law"},
-                           Page{"inconsistencies.html", "What does not add up"},
-                           Page{"methods.html", "Methods"},
-                           Page{"laws.html", "Laws"},
-                           Page{"provenance.html", "Provenance"},
-                           Page{"print.html", "All on one page"}};
-
 /// Links to all pages but the figures'; the one called `title` is marked as the present one.
-std::string navigation(std::string_view title) {
+std::string navigation(const ReportContents& contents, std::string_view title) {
   std::string html = "<nav><div>";
-  for (const Page& page : pages)
-    html += fmt::format("<a href=\"{}\"{}>{}</a>", page.file, page.title == title ? " aria-current=\"page\"" : "",
-                        page.title);
+  const auto link = [&](const std::string& file, const std::string& label) {
+    html += fmt::format("<a href=\"{}\"{}>{}</a>", file, label == title ? " aria-current=\"page\"" : "", label);
+  };
+  link("index.html", "Overview");
+  link("claims.html", "Claims");
+  for (const FeaturedPage& page : contents.texts.featured)
+    link("figures/" + page.figure + ".html", escape_html(page.label));
+  link("inconsistencies.html", "What does not add up");
+  link("methods.html", "Methods");
+  link("laws.html", "Laws");
+  link("quantities.html", "Quantities");
+  link("flow.html", "How data flows");
+  link("provenance.html", "Provenance");
+  link("print.html", "All on one page");
   return html + "</div></nav>\n";
 }
 
 std::string overview(const ReportContents& contents) {
-  const ClaimCounts counts = count(contents.evaluations);
-  std::set<std::string> wanted, present;
-  for (const auto& spec : contents.profile.runs) wanted.insert(run_key(spec));
-  for (const auto& run : contents.runs)
-    if (wanted.contains(run_key(run.spec))) present.insert(run_key(run.spec));
   std::string html = fmt::format(
-      "<header class=\"masthead\"><div>\n<h1>Solid–liquid fluidised beds, simulated again</h1>\n"
-      "<p>A steel sphere settles through a bed of glass spheres in water. Peng et al. "
-      "(<a href=\"https://doi.org/10.1016/j.ces.2014.04.040\">Chem. Eng. Sci., 2014</a>) simulated it with coupled CFD "
-      "and DEM; this report simulates it again with <code>slfb</code> {}, draws their figures, and holds each "
-      "statement "
-      "of the paper that can be checked against our own numbers.</p>\n<p class=\"soft\">Profile <b>{}</b>: {} of {} "
+      "<header class=\"masthead\"><div>\n<h1>{}</h1>\n{}<p class=\"soft\">Profile <b>{}</b>: {} of {} "
       "simulations are available.{}</p>\n</div></header>\n",
-      escape_html(SLFB_VERSION), escape_html(contents.profile.name), present.size(), wanted.size(),
-      present.size() < wanted.size()
+      escape_html(contents.texts.title), markdown_html(contents.texts.introduction), escape_html(contents.profile),
+      contents.runs_available, contents.runs_wanted,
+      contents.runs_available < contents.runs_wanted
           ? fmt::format(" <code>build/slfb figures --profile {}</code> makes the others and draws everything again.",
-                        escape_html(contents.profile.name))
+                        escape_html(contents.profile))
           : "");
-  html += navigation("Overview") + "<main>\n<section id=\"verdicts\">\n<h2>Verdicts at a glance</h2>\n";
-  const std::array<std::pair<Verdict, std::size_t>, 3> parts{{{Verdict::reproduced, counts.reproduced},
-                                                              {Verdict::not_reproduced, counts.not_reproduced},
-                                                              {Verdict::not_decidable, counts.not_decidable}}};
+  html += navigation(contents, "Overview") + "<main>\n<section id=\"verdicts\">\n<h2>Verdicts at a glance</h2>\n";
+  std::map<Verdict, std::size_t> verdicts{
+      {Verdict::reproduced, 0}, {Verdict::not_reproduced, 0}, {Verdict::not_decidable, 0}};
+  std::map<Gate, std::size_t> gates;
+  for (const ClaimRow& claim : contents.claims) {
+    ++verdicts[claim.verdict];
+    ++gates[claim.gate];
+  }
   html += "<div class=\"verdict-bar\" role=\"img\" aria-label=\"share of the verdicts\">";
-  for (const auto& [verdict, number] : parts)
+  for (const auto& [verdict, number] : verdicts)
     if (number > 0) html += fmt::format("<span class=\"{}\" style=\"flex:{}\"></span>", verdict_class(verdict), number);
   html += "</div>\n<div class=\"counts\">\n";
-  for (const auto& [verdict, number] : parts)
+  for (const auto& [verdict, number] : verdicts)
     html += fmt::format("<div class=\"count {}\"><b>{}</b><span>{}</span></div>\n", verdict_class(verdict), number,
-                        to_string(verdict));
+                        verdict_words(verdict));
+  const std::size_t holding = gates[Gate::holds], broken = gates[Gate::broken];
   html += fmt::format(
       "</div>\n<p class=\"soft\">{} in all. Beside the verdict on the paper, {} compared with our own accepted value: "
       "{} of these regression gates hold, {} broken.</p>\n<div class=\"mosaic\">\n",
-      plural(contents.evaluations.size(), "claim"),
-      counts.gates_holding + counts.gates_broken == 1
-          ? "1 claim is"
-          : fmt::format("{} claims are", counts.gates_holding + counts.gates_broken),
-      counts.gates_holding, counts.gates_broken == 1 ? "1 is" : fmt::format("{} are", counts.gates_broken));
-  for (const auto& [place, group] : claims_by_place(contents.evaluations)) {
-    const bool has_page = std::any_of(contents.figures.begin(), contents.figures.end(),
-                                      [&name = place](const FigureOutput& figure) { return figure.id == name; });
-    const std::string label = place_in_paper(place);
+      plural(contents.claims.size(), "claim"),
+      holding + broken == 1 ? "1 claim is" : fmt::format("{} claims are", holding + broken), holding,
+      broken == 1 ? "1 is" : fmt::format("{} are", broken));
+  for (const auto& [place, group] : claims_by_place(contents.claims)) {
+    const bool has_page = std::ranges::find(contents.figures, place, &FigurePage::id) != contents.figures.end();
+    const std::string label = place_name(place);
     html += fmt::format("<div><span class=\"soft\">{}</span><span class=\"cells\">",
                         has_page ? fmt::format("<a href=\"figures/{}.html\">{}</a>", place, label) : label);
-    for (const Evaluation* evaluation : group) {
+    for (const ClaimRow* claim : group) {
       html += fmt::format("<a class=\"{0}-cell\" href=\"claims.html#{1}\" title=\"{1}: {2} ({3})\">{4}</a>",
-                          verdict_class(evaluation->verdict), escape_html(evaluation->claim.id),
-                          escape_html(evaluation->claim.quantity), to_string(evaluation->verdict),
-                          verdict_sign(evaluation->verdict));
+                          verdict_class(claim->verdict), escape_html(claim->id), escape_html(claim->quantity),
+                          verdict_words(claim->verdict), verdict_sign(claim->verdict));
     }
     html += "</span></div>\n";
   }
@@ -121,8 +97,8 @@ std::string list(const std::vector<std::string>& items) {
 
 std::string claim_section(const ReportContents& contents) {
   std::string options = "<option value=\"\">all of the paper</option>";
-  for (const auto& [place, group] : claims_by_place(contents.evaluations))
-    options += fmt::format("<option value=\"{}\">{}</option>", escape_html(place), place_in_paper(place));
+  for (const auto& [place, group] : claims_by_place(contents.claims))
+    options += fmt::format("<option value=\"{}\">{}</option>", escape_html(place), place_name(place));
   std::string html = fmt::format(
       "<p>A claim is one statement of the paper that a number can decide. It "
       "is "
@@ -136,9 +112,9 @@ std::string claim_section(const ReportContents& contents) {
       "<button value=\"not-decidable\">not decidable</button><select aria-label=\"place in the "
       "paper\">{}</select></div>\n"
       "<p class=\"soft\"><span id=\"claims-shown\">{}</span> · <a href=\"claims.json\">all claims as JSON</a></p>\n",
-      options, plural(contents.evaluations.size(), "claim"));
-  std::vector<const Evaluation*> claims;
-  for (const auto& [place, group] : claims_by_place(contents.evaluations))
+      options, plural(contents.claims.size(), "claim"));
+  std::vector<const ClaimRow*> claims;
+  for (const auto& [place, group] : claims_by_place(contents.claims))
     claims.insert(claims.end(), group.begin(), group.end());
   return html + claim_table(claims, "claim-rows");
 }
@@ -152,7 +128,7 @@ std::string inconsistency_section(const ReportContents& contents) {
       "<div class=\"card scroll\"><table "
       "class=\"stack\">\n<thead><tr><th>Subject</th><th>Printed</th><th>Recomputed</th>"
       "<th>Why</th></tr></thead>\n<tbody>\n";
-  for (const auto& row : contents.inconsistencies) {
+  for (const InconsistencyRow& row : contents.inconsistencies) {
     html += fmt::format(
         "<tr id=\"inconsistency-{}\"><td class=\"lead\">{}<span class=\"id\">{}</span></td><td "
         "data-label=\"Printed\"><span "
@@ -165,9 +141,30 @@ std::string inconsistency_section(const ReportContents& contents) {
   return html + "</tbody></table></div>\n";
 }
 
+std::string quantity_section(const ReportContents& contents) {
+  std::vector<std::vector<std::string>> rows;
+  for (const QuantityRow& quantity : contents.quantities)
+    rows.push_back({fmt::format("{}<span class=\"id\">{}</span>", prose_html(quantity.title), escape_html(quantity.id)),
+                    escape_html(quantity.unit), prose_html(quantity.definition),
+                    prose_html(quantity.contact_stiffness)});
+  return "<p>What is measured in simulations and by laws. Claims, figures and comparisons use these quantities by "
+         "their names; each is computed in one place. A softer contact spring makes contacts last longer, which "
+         "changes "
+         "some quantities and not others.</p>\n" +
+         table_html({"Quantity", "Unit", "Definition", "With the contact stiffness"}, rows);
+}
+
+/// From a scene to the report, as a picture and in words. The picture is part of the page, so that it follows its
+/// colours in light and dark.
+std::string flow_section() {
+  const fs::path folder = source_folder() / "reports";
+  return "<div class=\"card scroll flow\">\n" + read_file(folder / "flow.svg") + "</div>\n<div class=\"prose\">" +
+         markdown_html(read_file(folder / "flow.md")) + "</div>\n";
+}
+
 std::string provenance_section(const ReportContents& contents) {
   double wall_seconds = 0.0;
-  for (const auto& run : contents.runs) wall_seconds += run.result.wall_seconds;
+  for (const RunRow& run : contents.runs) wall_seconds += run.wall_seconds;
   std::string html = fmt::format(
       "<p>Written {:%Y-%m-%d %H:%M} UTC by slfb {}, numerics version "
       "{}. "
@@ -175,43 +172,34 @@ std::string provenance_section(const ReportContents& contents) {
       "twice. "
       "{} took {} of computing.</p>\n",
       fmt::gmtime(std::chrono::system_clock::to_time_t(std::chrono::system_clock::now())), escape_html(SLFB_VERSION),
-      numerics_version, plural(contents.runs.size(), "simulation"), readable_duration(wall_seconds));
-  html += "<p>Where its simulations differ from the paper's:</p>" + list(contents.profile.differences);
+      contents.numerics_version, plural(contents.runs.size(), "simulation"), readable_duration(wall_seconds));
+  html += "<p>Where its simulations differ from the paper's:</p>" + list(contents.differences);
   if (contents.runs.empty()) return html + "<p>No simulation is available yet.</p>\n";
   html +=
       "<div class=\"card scroll\"><table class=\"stack\">\n<thead><tr><th>Run</th><th>Scene hash</th><th>Numerics</th>"
       "<th>Simulated</th><th>Wall "
       "time</th><th>Threads</th><th>Machine</th><th>Date</th><th>From</th></tr></thead>\n<tbody>\n";
-  for (const auto& run : contents.runs) {
-    const RunResult& result = run.result;
+  for (const RunRow& run : contents.runs)
     html += fmt::format(
         "<tr><td class=\"lead\">{}</td><td data-label=\"Scene hash\"><code>{}</code></td><td "
         "data-label=\"Numerics\">{}{}"
         "</td><td data-label=\"Simulated\"><span class=\"number\">{}</span></td><td data-label=\"Wall time\"><span "
         "class=\"number\">{}</span></td><td data-label=\"Threads\">{}</td><td data-label=\"Machine\">{}</td><td "
         "data-label=\"Date\"><span class=\"number\">{}</span></td><td data-label=\"From\">{}</td></tr>\n",
-        escape_html(run_key(run.spec)), escape_html(result.name), result.numerics, run.stale ? " (older)" : "",
-        readable_duration(result.simulated_seconds), readable_duration(result.wall_seconds), result.threads,
-        escape_html(result.machine), escape_html(result.date), run.published ? "committed results" : "this machine");
-  }
+        escape_html(run.key), escape_html(run.name), run.numerics, run.older_numerics ? " (older)" : "",
+        readable_duration(run.simulated_seconds), readable_duration(run.wall_seconds), run.threads,
+        escape_html(run.machine), escape_html(run.date), run.published ? "committed results" : "this machine");
   return html + "</tbody></table></div>\n";
-}
-
-void write_file(const fs::path& file, const std::string& text) {
-  std::ofstream stream(file, std::ios::binary);
-  stream << text;
-  stream.close();
-  if (!stream) throw std::runtime_error(fmt::format("cannot write {}", file.string()));
 }
 
 /// A page of the folder of the report; `body` opens <main>.
 std::string whole_page(const std::string& title, const std::string& body) {
-  return fmt::format(
-      "<!DOCTYPE html>\n<html lang=\"en\" class=\"no-script\">\n<head>\n<meta charset=\"utf-8\" />\n<meta "
-      "name=\"viewport\" content=\"width=device-width, initial-scale=1\" />\n<title>{}</title>\n<style>\n{}</style>\n"
-      "</head>\n<body>\n{}<footer>slfb {}. The numbers of the paper are facts quoted with their place in it.</footer>\n"
-      "</main>\n</body>\n</html>\n",
-      title, read_file(source_folder() / "reports" / "report.css"), body, escape_html(SLFB_VERSION));
+  return html_page(
+      title,
+      fmt::format("{}<footer>slfb {}. The numbers of the paper are facts quoted with their place in it.</footer>\n"
+                  "</main>\n",
+                  body, escape_html(SLFB_VERSION)),
+      "no-script");
 }
 
 /// The whole report on one page, for paper or PDF. Links between pages become links between its sections, and those to
@@ -220,17 +208,19 @@ std::string print_page(const ReportContents& contents, const fs::path& folder) {
   const auto section = [](const char* id, const char* title, const std::string& body) {
     return fmt::format("<section class=\"sheet\" id=\"{}\">\n<h1>{}</h1>\n{}</section>\n", id, title, body);
   };
-  std::vector<const Evaluation*> of_no_figure;
-  for (const Evaluation& evaluation : contents.evaluations)
-    if (std::ranges::none_of(contents.figures, [&](const auto& f) { return f.id == evaluation.claim.figure; }))
-      of_no_figure.push_back(&evaluation);
+  std::vector<const ClaimRow*> of_no_figure;
+  for (const ClaimRow& claim : contents.claims)
+    if (std::ranges::find(contents.figures, claim.place, &FigurePage::id) == contents.figures.end())
+      of_no_figure.push_back(&claim);
   std::string html =
       overview(contents) + "</main>\n<main>\n" + figures_to_print(contents, folder / "figures") +
       section("claims", "Claims of the text",
               "<p>Statements of the paper that belong to no figure.</p>\n" + claim_table(of_no_figure, "")) +
       section("inconsistencies", "What does not add up", inconsistency_section(contents)) +
-      section("methods", "Methods", markdown_html(read_file(source_folder() / "reports" / "methods.md"))) +
-      section("laws", "Laws", law_section()) + section("provenance", "Provenance", provenance_section(contents));
+      section("methods", "Methods", markdown_html(contents.texts.methods)) + section("laws", "Laws", law_section()) +
+      section("quantities", "Quantities", quantity_section(contents)) +
+      section("flow", "How data flows", flow_section()) +
+      section("provenance", "Provenance", provenance_section(contents));
   static const std::array<std::pair<std::regex, const char*>, 4> links{
       {{std::regex("href=\"[^\":#]*\\.html#([^\"]+)\""), "href=\"#$1\""},
        {std::regex("<a href=\"laws/variants\\.html\">|<a href=\"[^\":#]+\\.(svg|h5)\">"), "<a>"},
@@ -241,42 +231,40 @@ std::string print_page(const ReportContents& contents, const fs::path& folder) {
 }
 
 /// The files of one figure, and only those: a figures folder may hold remains of earlier versions.
-void copy_figure(const FigureOutput& figure, const fs::path& from, const fs::path& to) {
-  std::vector<fs::path> files;
-  for (const char* format : {"svg", "png", "pdf", "gp"}) files.push_back(from / (figure.id + "." + format));
-  for (const auto& data : figure.data) files.push_back(from / data.filename());
-  for (const auto& file : files) {
+void copy_figure(const FigurePage& figure, const fs::path& from, const fs::path& to) {
+  std::vector<std::string> files = figure.data_files;
+  for (const char* format : {"svg", "png", "pdf", "gp"}) files.push_back(figure.id + "." + format);
+  for (const std::string& file : files) {
     std::error_code error;
-    fs::copy_file(file, to / file.filename(), fs::copy_options::overwrite_existing, error);
-    if (error) throw std::runtime_error(fmt::format("cannot copy {}: {}", file.string(), error.message()));
+    fs::copy_file(from / file, to / file, fs::copy_options::overwrite_existing, error);
+    if (error) throw std::runtime_error(fmt::format("cannot copy {}: {}", (from / file).string(), error.message()));
   }
 }
 
 /// The result of a run beside the pages, so that they can offer it: a second name of the file where it is of this
 /// machine.
-void add_run(const FinishedRun& run, const fs::path& out, const fs::path& folder) {
-  const fs::path from = run.published ? published_file(run.spec) : result_file(out, run.result.name);
-  const fs::path to = folder / run_download(run);
+void add_run(const RunRow& run, const fs::path& folder) {
+  const fs::path to = folder / run.download;
   std::error_code error;
-  if (!fs::exists(from) || fs::exists(to)) return;
-  if (!run.published) fs::create_hard_link(from, to, error);
-  if (run.published || error) fs::copy_file(from, to, error);
-  if (error) throw std::runtime_error(fmt::format("cannot copy {}: {}", from.string(), error.message()));
+  if (!fs::exists(run.file) || fs::exists(to)) return;
+  if (!run.published) fs::create_hard_link(run.file, to, error);
+  if (run.published || error) fs::copy_file(run.file, to, error);
+  if (error) throw std::runtime_error(fmt::format("cannot copy {}: {}", run.file.string(), error.message()));
 }
 
 }  // namespace
 
 void write_report(const ReportContents& contents, const fs::path& figures_folder, const fs::path& folder) {
   fs::create_directories(folder / "figures");
-  for (const auto& figure : contents.figures) copy_figure(figure, figures_folder, folder / "figures");
+  for (const FigurePage& figure : contents.figures) copy_figure(figure, figures_folder, folder / "figures");
   fs::remove_all(folder / "runs");
   fs::create_directories(folder / "runs");
-  for (const auto& run : contents.runs) add_run(run, contents.out, folder / "runs");
+  for (const RunRow& run : contents.runs) add_run(run, folder / "runs");
 
   write_figure_pages(contents, folder / "figures");
   write_law_pages(folder);
 
-  write_file(folder / "claims.json", claims_json(contents.evaluations).dump(2) + "\n");
+  write_file(folder / "claims.json", contents.claims_json);
   write_file(folder / "index.html",
              whole_page("slfb report", overview(contents) + figure_gallery(contents, figures_folder)));
   write_file(folder / "print.html", print_page(contents, folder));
@@ -284,16 +272,17 @@ void write_report(const ReportContents& contents, const fs::path& figures_folder
     write_file(
         folder / file,
         whole_page(title, fmt::format("<header class=\"masthead slim\"><div><h1>{}</h1></div></header>\n{}<main>\n{}",
-                                      title, navigation(title), body)));
+                                      title, navigation(contents, title), body)));
   };
-  const fs::path source = source_folder() / "reports";
-  write_page("claims.html", "Claims",
-             claim_section(contents) + "<script>\n" + read_file(source / "report.js") + "</script>\n");
+  write_page(
+      "claims.html", "Claims",
+      claim_section(contents) + "<script>\n" + read_file(source_folder() / "reports" / "report.js") + "</script>\n");
   write_page("inconsistencies.html", "What does not add up", inconsistency_section(contents));
-  write_page("methods.html", "Methods",
-             "<div class=\"prose\">" + markdown_html(read_file(source / "methods.md")) + "</div>\n");
+  write_page("methods.html", "Methods", "<div class=\"prose\">" + markdown_html(contents.texts.methods) + "</div>\n");
   write_page("laws.html", "Laws", law_section());
+  write_page("quantities.html", "Quantities", quantity_section(contents));
+  write_page("flow.html", "How data flows", flow_section());
   write_page("provenance.html", "Provenance", provenance_section(contents));
 }
 
-}  // namespace slfb
+}  // namespace slfb::reports

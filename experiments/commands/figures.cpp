@@ -15,10 +15,12 @@
 #include "experiments/figures/figure.hpp"
 #include "experiments/peng_2014/causes/causes.hpp"
 #include "experiments/peng_2014/inconsistencies.hpp"
+#include "experiments/peng_2014/report_texts.hpp"
 #include "experiments/runs/campaign.hpp"
 #include "experiments/runs/measure.hpp"
 #include "experiments/runs/run_campaign.hpp"
 #include "experiments/runs/run_files.hpp"
+#include "experiments/work/report_pages.hpp"
 #include "reports/report.hpp"
 #include "solver/support/folders.hpp"
 
@@ -122,8 +124,11 @@ int make_figures(const Options& options) {
   for (const char* own : {"drag-law", "causes", "springs", "paper-steps"})  // their figures read them by themselves
     if (profile.name != own)
       for (auto& run : finished_runs(load_profile(own), options.out)) reported.push_back(std::move(run));
-  write_report({profile, shown, reported, outputs, evaluations, inconsistencies(), options.out}, figures_folder,
-               report_folder);
+  reports::ReportContents report =
+      report_contents({profile, shown, reported, figures(), outputs, evaluations, options.out});
+  report.texts = paper::report_texts();
+  report.inconsistencies = inconsistencies();
+  reports::write_report(report, figures_folder, report_folder);
 
   for (const Figure* figure : chosen)
     fmt::print("{}  {:<62}{}\n", figure->id, figure->title, (figures_folder / (figure->id + ".svg")).string());

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "experiments/compare/candidates.hpp"
-#include "experiments/compare/picture.hpp"
+#include "experiments/compare/comparison_page.hpp"
 
 namespace slfb::compare {
 

@@ -3,8 +3,8 @@
 #include <filesystem>
 #include <vector>
 
+#include "experiments/compare/comparison_page.hpp"
 #include "experiments/compare/contact_study.hpp"
-#include "experiments/compare/picture.hpp"
 
 namespace slfb::compare {
 

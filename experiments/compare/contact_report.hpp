@@ -4,8 +4,8 @@
 #include <nlohmann/json_fwd.hpp>
 #include <vector>
 
+#include "experiments/compare/comparison_page.hpp"
 #include "experiments/compare/contact_study.hpp"
-#include "reports/comparison_page.hpp"
 
 namespace slfb::compare {
 

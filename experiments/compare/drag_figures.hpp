@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "experiments/compare/candidates.hpp"
+#include "experiments/compare/comparison_page.hpp"
 #include "experiments/compare/drag_study.hpp"
-#include "experiments/compare/picture.hpp"
 
 namespace slfb::compare {
 

@@ -27,7 +27,7 @@ struct ErgunTimesVoidage {
 /// Builds the table; each function is one or a few rows that share their numbers.
 class InconsistencyTable {
  public:
-  std::vector<Inconsistency> take() {
+  std::vector<reports::InconsistencyRow> take() {
     add_bed_rows();
     add_equation_rows();
     add_numerics_rows();
@@ -307,11 +307,11 @@ class InconsistencyTable {
 
   const Peng2014& paper_ = peng_2014();
   const Measurements laws_ = measure_laws();
-  std::vector<Inconsistency> rows_;
+  std::vector<reports::InconsistencyRow> rows_;
 };
 
 }  // namespace
 
-std::vector<Inconsistency> inconsistencies() { return InconsistencyTable().take(); }
+std::vector<reports::InconsistencyRow> inconsistencies() { return InconsistencyTable().take(); }
 
 }  // namespace slfb

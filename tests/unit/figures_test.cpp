@@ -15,12 +15,13 @@
 #include "experiments/figures/figure_support.hpp"
 #include "experiments/figures/sphere_picture.hpp"
 #include "experiments/peng_2014/inconsistencies.hpp"
+#include "experiments/peng_2014/report_texts.hpp"
 #include "experiments/runs/measure.hpp"
 #include "experiments/runs/run_files.hpp"
+#include "experiments/work/report_pages.hpp"
 #include "reports/figure_pages.hpp"
 #include "reports/gnuplot.hpp"
 #include "reports/html.hpp"
-#include "reports/markdown.hpp"
 #include "reports/report.hpp"
 #include "tests/unit/folder.hpp"
 #include "tests/unit/synthetic_runs.hpp"
@@ -54,6 +55,17 @@ struct Drawn {
   Measurements measurements;
   std::vector<FigureOutput> outputs;
 };
+
+/// The report of what was drawn, in `folder`/report.
+reports::ReportContents write_report_of(const Drawn& drawn, const std::vector<Evaluation>& evaluations,
+                                        const fs::path& figures_folder, const fs::path& folder) {
+  reports::ReportContents contents =
+      report_contents({drawn.profile, drawn.profile, drawn.runs, figures(), drawn.outputs, evaluations, folder});
+  contents.texts = paper::report_texts();
+  contents.inconsistencies = inconsistencies();
+  reports::write_report(contents, figures_folder, folder / "report");
+  return contents;
+}
 
 Drawn draw_all(bool with_runs, const fs::path& folder) {
   Drawn drawn;
@@ -123,14 +135,12 @@ TEST_P(EveryFigure, AppearsInTheReportWithEveryClaim) {
   fs::create_directories(figures_folder);
   const Drawn drawn = draw_all(GetParam(), figures_folder);
   const auto evaluations = evaluate(load_claims(), drawn.measurements);
-  const auto odd_rows = inconsistencies();
-  write_report({drawn.profile, drawn.profile, drawn.runs, drawn.outputs, evaluations, odd_rows, folder.path()},
-               figures_folder, folder.path() / "report");
+  const reports::ReportContents contents = write_report_of(drawn, evaluations, figures_folder, folder.path());
   fs::remove_all(figures_folder);  // the report is a folder of its own
 
   std::set<std::string> ids, targets;
-  for (const char* name :
-       {"index.html", "claims.html", "inconsistencies.html", "methods.html", "laws.html", "provenance.html"}) {
+  for (const char* name : {"index.html", "claims.html", "inconsistencies.html", "methods.html", "laws.html",
+                           "quantities.html", "flow.html", "provenance.html"}) {
     pugi::xml_document page;
     const auto parsed =
         page.load_file((folder.path() / "report" / name).c_str(), pugi::parse_default, pugi::encoding_utf8);
@@ -143,7 +153,7 @@ TEST_P(EveryFigure, AppearsInTheReportWithEveryClaim) {
   }
   for (const auto& evaluation : evaluations) EXPECT_TRUE(ids.contains(evaluation.claim.id)) << evaluation.claim.id;
   for (const auto& figure : figures()) EXPECT_TRUE(ids.contains(figure.id)) << figure.id;
-  for (const auto& row : odd_rows) EXPECT_TRUE(ids.contains("inconsistency-" + row.id)) << row.id;
+  for (const auto& row : contents.inconsistencies) EXPECT_TRUE(ids.contains("inconsistency-" + row.id)) << row.id;
   for (const auto& figure : figures()) {
     const fs::path file = folder.path() / "report" / "figures" / (figure.id + ".html");
     pugi::xml_document figure_page;
@@ -212,10 +222,9 @@ TEST(Report, OffersTheResultOfEachRun) {
   run.result.name = "0123456789abcdef";
   save_result(run.result, result_file(folder.path(), run.result.name));
   const std::vector<Evaluation> evaluations;
-  const auto odd_rows = inconsistencies();
-  write_report({drawn.profile, drawn.profile, drawn.runs, drawn.outputs, evaluations, odd_rows, folder.path()},
-               folder.path() / "figures", folder.path() / "report");
-  EXPECT_EQ(load_result(folder.path() / "report" / "runs" / run_download(run)).name, run.result.name);
+  const reports::ReportContents contents =
+      write_report_of(drawn, evaluations, folder.path() / "figures", folder.path());
+  EXPECT_EQ(load_result(folder.path() / "report" / "runs" / contents.runs.front().download).name, run.result.name);
 }
 
 INSTANTIATE_TEST_SUITE_P(Figures, EveryFigure, testing::Bool(),

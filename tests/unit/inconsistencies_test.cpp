@@ -14,7 +14,7 @@ TEST(Inconsistencies, EveryRowDisagreesAndSaysWhere) {
   const auto rows = inconsistencies();
   EXPECT_GE(rows.size(), 20u);
   std::set<std::string> ids;
-  for (const Inconsistency& row : rows) {
+  for (const reports::InconsistencyRow& row : rows) {
     EXPECT_TRUE(ids.insert(row.id).second) << row.id;
     EXPECT_FALSE(row.source.empty()) << row.id;
     EXPECT_FALSE(row.unit.empty()) << row.id;
@@ -26,7 +26,8 @@ TEST(Inconsistencies, EveryRowDisagreesAndSaysWhere) {
 
 double recomputed(const std::string& id) {
   const auto rows = inconsistencies();
-  const auto found = std::find_if(rows.begin(), rows.end(), [&](const Inconsistency& row) { return row.id == id; });
+  const auto found =
+      std::find_if(rows.begin(), rows.end(), [&](const reports::InconsistencyRow& row) { return row.id == id; });
   return found == rows.end() ? std::nan("") : found->recomputed;
 }
 

@@ -71,7 +71,7 @@ FigureOutput draw(const FigureContext& context) {
   for (const Condition& condition : conditions()) {
     const ReferenceValue& printed = peng_2014().at(condition.printed);
     double needed = std::nan("");
-    for (const Inconsistency& doubt : doubts)
+    for (const reports::InconsistencyRow& doubt : doubts)
       if (doubt.id == condition.inconsistency) needed = doubt.recomputed;
     const double ours = condition.ours(scene);
     rows.push_back({condition.title, printed.unit == "-" ? "" : printed.unit, compact(printed.value), compact(ours),

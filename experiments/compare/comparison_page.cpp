@@ -1,37 +1,19 @@
-#include "reports/comparison_page.hpp"
+#include "experiments/compare/comparison_page.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
 #include <nlohmann/json.hpp>
-#include <sstream>
-#include <stdexcept>
 
 #include "reports/html.hpp"
-#include "solver/support/folders.hpp"
+#include "solver/support/files.hpp"
 
 namespace slfb::compare {
 namespace {
 
 namespace fs = std::filesystem;
 using nlohmann::ordered_json;
-
-void write_file(const fs::path& file, const std::string& text) {
-  std::ofstream stream(file, std::ios::binary);
-  stream << text;
-  stream.close();
-  if (!stream) throw std::runtime_error(fmt::format("cannot write {}", file.string()));
-}
-
-std::string style() {
-  const fs::path file = source_folder() / "reports" / "report.css";
-  std::ifstream stream(file, std::ios::binary);
-  std::ostringstream text;
-  if (!stream || !(text << stream.rdbuf())) throw std::runtime_error(fmt::format("cannot read {}", file.string()));
-  return text.str();
-}
 
 std::string verdict_class(Verdict verdict) {
   std::string name(to_string(verdict));
@@ -59,20 +41,6 @@ std::string answer_html(const Evaluation& evaluation, const Change* change) {
 ordered_json number_or_null(double value) { return std::isfinite(value) ? ordered_json(value) : ordered_json(nullptr); }
 
 }  // namespace
-
-std::string table_html(const std::vector<std::string>& headings, const std::vector<std::vector<std::string>>& rows) {
-  std::string html = "<div class=\"card scroll\"><table class=\"stack\"><thead><tr>";
-  for (const auto& heading : headings) html += "<th>" + heading + "</th>";
-  html += "</tr></thead><tbody>\n";
-  for (const auto& row : rows) {
-    html += "<tr>";
-    for (std::size_t i = 0; i < row.size(); ++i)
-      html += i == 0 ? "<td class=\"lead\">" + row[i] + "</td>"
-                     : fmt::format("<td data-label=\"{}\">{}</td>", headings[i], row[i]);
-    html += "</tr>\n";
-  }
-  return html + "</tbody></table></div>\n";
-}
 
 std::string badge_html(bool good, const std::string& word, const std::string& found) {
   return fmt::format("<div><span class=\"badge {}\">{} {}</span><span class=\"id\">{}</span></div>",
@@ -235,12 +203,10 @@ void write_page(const std::string& title, const std::string& introduction, const
     body += fmt::format("<section id=\"{}\">\n<h2>{}</h2>\n{}</section>\n", section.id, section.title, section.html);
   }
   write_file(folder / "index.html",
-             fmt::format("<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\" />\n<meta "
-                         "name=\"viewport\" content=\"width=device-width, initial-scale=1\" "
-                         "/>\n<title>{0}</title>\n<style>\n{1}</style>\n</head>\n<body>\n<header "
-                         "class=\"masthead\"><div>\n<h1>{0}</h1>\n{2}</div></header>\n<nav><div>{3}</div></nav>\n"
-                         "<main>\n{4}</main>\n</body>\n</html>\n",
-                         escape_html(title), style(), introduction, links, body));
+             html_page(escape_html(title),
+                       fmt::format("<header class=\"masthead\"><div>\n<h1>{}</h1>\n{}</div></header>\n<nav><div>{}"
+                                   "</div></nav>\n<main>\n{}</main>\n",
+                                   escape_html(title), introduction, links, body)));
 }
 
 }  // namespace slfb::compare

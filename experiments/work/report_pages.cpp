@@ -1,0 +1,136 @@
+#include "experiments/work/report_pages.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+#include <set>
+#include <stdexcept>
+
+#include "experiments/figures/figure_folder.hpp"
+#include "experiments/runs/measure.hpp"
+#include "experiments/runs/run_files.hpp"
+#include "solver/support/files.hpp"
+#include "solver/support/folders.hpp"
+
+namespace slfb {
+namespace {
+
+namespace fs = std::filesystem;
+
+reports::Verdict shown(Verdict verdict) {
+  switch (verdict) {
+    case Verdict::reproduced:
+      return reports::Verdict::reproduced;
+    case Verdict::not_reproduced:
+      return reports::Verdict::not_reproduced;
+    case Verdict::not_decidable:
+      return reports::Verdict::not_decidable;
+  }
+  throw std::logic_error("report_pages: unknown verdict");
+}
+
+reports::Gate shown(Gate gate) {
+  switch (gate) {
+    case Gate::holds:
+      return reports::Gate::holds;
+    case Gate::broken:
+      return reports::Gate::broken;
+    case Gate::none:
+      return reports::Gate::none;
+  }
+  throw std::logic_error("report_pages: unknown gate");
+}
+
+const Figure& figure_named(const std::vector<Figure>& figures, const std::string& id) {
+  const auto found = std::ranges::find(figures, id, &Figure::id);
+  if (found == figures.end()) throw std::runtime_error("no figure is called " + id);
+  return *found;
+}
+
+/// A study may have a profile of its own, which then has its name.
+bool has_own_profile(const Figure& figure) {
+  const std::vector<std::string> names = profile_names();
+  return std::ranges::find(names, figure.id) != names.end();
+}
+
+std::string readme(const Figure& figure) {
+  const fs::path file = source_folder() / "experiments" / figure.folder / "README.md";
+  return figure.folder.empty() || !fs::exists(file) ? "" : figure_definitions(read_file(file));
+}
+
+reports::FigurePage figure_page(const FigureOutput& output, const ReportInputs& inputs) {
+  const Figure& figure = figure_named(inputs.figures, output.id);
+  const bool own_profile = has_own_profile(figure);
+  reports::FigurePage page{output.id, figure.title, output.caption, readme(figure), {}, output.notes, {}, ""};
+  for (const fs::path& data : output.data) page.data_files.push_back(data.filename().string());
+  page.run_keys = figure.needs(inputs.shown);
+  if (page.run_keys.empty() && own_profile) page.run_keys = figure.needs(load_profile(figure.id));
+  const std::string profile = !figure.needs(inputs.profile).empty() ? inputs.profile.name
+                              : own_profile                         ? figure.id
+                                                                    : "full";
+  page.options = page.run_keys.empty() ? "--no-run" : "--profile " + profile;
+  return page;
+}
+
+}  // namespace
+
+reports::ClaimRow claim_row(const Evaluation& evaluation) {
+  const Claim& claim = evaluation.claim;
+  reports::ClaimRow row;
+  row.id = claim.id;
+  row.place = claim.figure;
+  row.quantity = claim.quantity;
+  row.source = claim.source;
+  row.unit = claim.unit;
+  row.paper = claim.paper_text();
+  row.paper_in_words = claim.kind == StatementKind::increasing || claim.kind == StatementKind::decreasing ||
+                       claim.kind == StatementKind::words;
+  if (claim.paper_band) row.band = {claim.paper_band->lower, claim.paper_band->upper};
+  row.ours = evaluation.ours;
+  row.interval = evaluation.interval;
+  row.deviation = evaluation.deviation;
+  row.verdict = shown(evaluation.verdict);
+  row.gate = shown(evaluation.gate);
+  row.reason = evaluation.reason;
+  return row;
+}
+
+reports::RunRow run_row(const FinishedRun& run, const fs::path& out) {
+  const fs::path published = published_file(run.spec);
+  reports::RunRow row;
+  row.key = run_key(run.spec);
+  row.profile = run.spec.profile;
+  row.name = run.result.name;
+  row.numerics = run.result.numerics;
+  row.older_numerics = run.stale;
+  row.simulated_seconds = run.result.simulated_seconds;
+  row.wall_seconds = run.result.wall_seconds;
+  row.threads = run.result.threads;
+  row.machine = run.result.machine;
+  row.date = run.result.date;
+  row.published = run.published;
+  row.file = run.published ? published : result_file(out, run.result.name);
+  row.download = fmt::format("{}_{}", published.parent_path().filename().string(), published.filename().string());
+  return row;
+}
+
+reports::ReportContents report_contents(const ReportInputs& inputs) {
+  reports::ReportContents contents;
+  contents.profile = inputs.profile.name;
+  contents.differences = inputs.profile.differences;
+  std::set<std::string> wanted, available;
+  for (const RunSpec& spec : inputs.profile.runs) wanted.insert(run_key(spec));
+  for (const FinishedRun& run : inputs.runs)
+    if (wanted.contains(run_key(run.spec))) available.insert(run_key(run.spec));
+  contents.runs_wanted = wanted.size();
+  contents.runs_available = available.size();
+  contents.numerics_version = numerics_version;
+  for (const Evaluation& evaluation : inputs.evaluations) contents.claims.push_back(claim_row(evaluation));
+  for (const FigureOutput& output : inputs.outputs) contents.figures.push_back(figure_page(output, inputs));
+  for (const FinishedRun& run : inputs.runs) contents.runs.push_back(run_row(run, inputs.out));
+  contents.claims_json = claims_json(inputs.evaluations).dump(2) + "\n";
+  return contents;
+}
+
+}  // namespace slfb
