@@ -86,6 +86,14 @@ class ClaimReader {
     return values;
   }
 
+  MeasureKey key_of(const std::string& measure) const {
+    try {
+      return parse_measure_key(measure);
+    } catch (const std::invalid_argument& error) {
+      fail(*table_.get("measure"), error.what());
+    }
+  }
+
   const ReferenceValue& reference(const std::string& id) const {
     try {
       return peng_2014().at(id);
@@ -160,7 +168,7 @@ class ClaimReader {
         {"relative_spread", Reduction::relative_spread},
     }};
     if (table_.contains("measure")) {
-      claim.measures = texts("measure");
+      for (const std::string& measure : texts("measure")) claim.measures.push_back(key_of(measure));
     } else if (claim.undecidable.empty()) {
       fail(table_, "\"measure\" is missing");
     }
@@ -172,7 +180,7 @@ class ClaimReader {
       claim.reduction = found->second;
     }
     const bool trend = claim.kind == StatementKind::increasing || claim.kind == StatementKind::decreasing;
-    const bool several = claim.measures.size() > 1 || (!claim.measures.empty() && claim.measures[0].ends_with("/*"));
+    const bool several = claim.measures.size() > 1 || (!claim.measures.empty() && claim.measures[0].for_all_at);
     if (several && !trend && claim.reduction == Reduction::single) fail(table_, "several measures need \"reduce\"");
     if (trend && claim.undecidable.empty() && claim.measures.size() < 2) fail(table_, "a trend needs two measures");
     if (claim.reduction == Reduction::ratio && claim.measures.size() != 2) fail(table_, "a ratio needs two measures");
@@ -192,15 +200,12 @@ class ClaimReader {
   const std::filesystem::path& file_;
 };
 
-/// "quantity/system/*" as the keys it stands for: every U_L of the system, without variants.
-std::vector<std::string> expand(const std::string& key, const Measurements& measurements) {
-  if (!key.ends_with("/*")) return {key};
-  const std::string stem = key.substr(0, key.size() - 1);
-  std::vector<std::string> keys;
-  for (auto entry = measurements.lower_bound(stem); entry != measurements.end() && entry->first.starts_with(stem);
-       ++entry) {
-    if (entry->first.find('/', stem.size()) == std::string::npos) keys.push_back(entry->first);
-  }
+/// The keys that a measure stands for; itself where it is no pattern.
+std::vector<MeasureKey> expand(const MeasureKey& measure, const Measurements& measurements) {
+  if (!measure.for_all_at) return {measure};
+  std::vector<MeasureKey> keys;
+  for (const auto& [key, measurement] : measurements)
+    if (stands_for(measure, key)) keys.push_back(key);
   return keys;
 }
 
@@ -262,8 +267,9 @@ void judge_trend(Evaluation& evaluation, const std::vector<Measurement>& values)
     const double step = sign * (values[i].value - values[i - 1].value);
     if (step < -std::hypot(values[i].half_width, values[i - 1].half_width)) {
       evaluation.verdict = Verdict::not_reproduced;
-      evaluation.reason = fmt::format("from {} to {} the change is in the other direction",
-                                      evaluation.claim.measures[i - 1], evaluation.claim.measures[i]);
+      evaluation.reason =
+          fmt::format("from {} to {} the change is in the other direction", to_string(evaluation.claim.measures[i - 1]),
+                      to_string(evaluation.claim.measures[i]));
       return;
     }
   }
@@ -331,7 +337,7 @@ void judge_gate(Evaluation& evaluation) {
   if (!evaluation.ours) {
     // A law answers at once on every machine, so a missing answer is a fault; a run may simply not exist yet.
     const auto& keys = evaluation.claim.measures;
-    if (std::none_of(keys.begin(), keys.end(), [](const std::string& key) { return needs_run(key); })) {
+    if (std::ranges::none_of(keys, needs_run)) {
       evaluation.gate = Gate::broken;
       evaluation.reason += "; a measure that needs no run must exist";
     }
@@ -350,13 +356,16 @@ bool of_both(const std::vector<Measurement>& values, Springs one, Springs other)
 }
 
 /// Why a measure is missing: its run is, or the run is there and has no such number; or no run is near its voidage.
-std::string missing_text(const std::string& measure, const Measurements& measurements) {
-  if (!needs_run(measure)) return "not yet measured: " + measure;
-  if (measure.find("_at_voidage/") != std::string::npos) return "no runs about this voidage: " + measure;
-  const std::string run = measure.substr(measure.find('/'));
-  const bool simulated = std::ranges::any_of(
-      measurements, [&](const auto& entry) { return entry.first.substr(entry.first.find('/')) == run; });
-  return (simulated ? "simulated, but without such a number: " : "not yet simulated: ") + measure;
+std::string missing_text(const MeasureKey& measure, const Measurements& measurements) {
+  const std::string text = to_string(measure);
+  if (!needs_run(measure)) return "not yet measured: " + text;
+  if (measure.quantity.ends_with("_at_voidage")) return "no runs about this voidage: " + text;
+  const bool simulated = std::ranges::any_of(measurements, [&](const auto& entry) {
+    MeasureKey same_run = measure;
+    same_run.quantity = entry.first.quantity;
+    return entry.first == same_run;
+  });
+  return (simulated ? "simulated, but without such a number: " : "not yet simulated: ") + text;
 }
 
 Evaluation evaluate_claim(const Claim& claim, const Measurements& measurements) {
@@ -364,10 +373,10 @@ Evaluation evaluate_claim(const Claim& claim, const Measurements& measurements) 
   evaluation.claim = claim;
   std::vector<Measurement> values;
   std::string missing;
-  for (const std::string& measure : claim.measures) {
+  for (const MeasureKey& measure : claim.measures) {
     const auto keys = expand(measure, measurements);
     bool found = !keys.empty();
-    for (const std::string& key : keys) {
+    for (const MeasureKey& key : keys) {
       const auto entry = measurements.find(key);
       if (entry == measurements.end() || std::isnan(entry->second.value)) {
         found = false;
@@ -404,7 +413,7 @@ struct Mean {
   double value, error, freedom;
 };
 
-std::optional<Mean> mean_of(const Measurements& measurements, const std::string& key) {
+std::optional<Mean> mean_of(const Measurements& measurements, const MeasureKey& key) {
   const auto found = measurements.find(key);
   if (found == measurements.end() || !(found->second.half_width >= 0.0) || found->second.samples < 2)
     return std::nullopt;
@@ -429,25 +438,25 @@ nlohmann::ordered_json number_or_null(double value) {
 
 void judge_run_gates(std::vector<Evaluation>& evaluations, const Measurements& fresh, const Measurements& accepted) {
   constexpr double false_alarms = 1e-3;  // of all gates together
-  std::set<std::string> tested;
+  std::set<MeasureKey> tested;
   const auto keys_of = [&](const Evaluation& evaluation) {
-    std::vector<std::string> keys;
+    std::vector<MeasureKey> keys;
     if (evaluation.claim.regression_band) return keys;
-    for (const std::string& measure : evaluation.claim.measures)
-      for (const std::string& key : expand(measure, fresh))
+    for (const MeasureKey& measure : evaluation.claim.measures)
+      for (const MeasureKey& key : expand(measure, fresh))
         if (needs_run(key) && mean_of(fresh, key) && mean_of(accepted, key)) keys.push_back(key);
     return keys;
   };
   for (const Evaluation& evaluation : evaluations)
-    for (std::string& key : keys_of(evaluation)) tested.insert(std::move(key));
+    for (MeasureKey& key : keys_of(evaluation)) tested.insert(std::move(key));
   for (Evaluation& evaluation : evaluations)
-    for (const std::string& key : keys_of(evaluation)) {
+    for (const MeasureKey& key : keys_of(evaluation)) {
       if (evaluation.gate == Gate::none) evaluation.gate = Gate::holds;
       const Mean ours = *mean_of(fresh, key), theirs = *mean_of(accepted, key);
       if (difference_over_chance(ours, theirs, false_alarms / static_cast<double>(tested.size())) <= 1.0) continue;
       evaluation.gate = Gate::broken;
       evaluation.reason += fmt::format("; {} is {:.6g} here and {:.6g} in the published runs, more than chance allows",
-                                       key, ours.value, theirs.value);
+                                       to_string(key), ours.value, theirs.value);
     }
 }
 

@@ -48,12 +48,12 @@ struct Claim {
   std::string unit;
   std::string source;  ///< page and section, table or figure
   StatementKind kind = StatementKind::value;
-  double paper = 0.0;                 ///< the value or bound; the lower one of `between`; unused for a trend
-  double paper_upper = 0.0;           ///< the upper bound of `between`
-  std::string words;                  ///< what the paper states, for StatementKind::words
-  std::optional<Band> paper_band;     ///< inside: reproduced; empty for a trend and for words
-  std::string band_reason;            ///< why the band is as wide as it is
-  std::vector<std::string> measures;  ///< keys into Measurements; "quantity/system/*" stands for every U_L
+  double paper = 0.0;                ///< the value or bound; the lower one of `between`; unused for a trend
+  double paper_upper = 0.0;          ///< the upper bound of `between`
+  std::string words;                 ///< what the paper states, for StatementKind::words
+  std::optional<Band> paper_band;    ///< inside: reproduced; empty for a trend and for words
+  std::string band_reason;           ///< why the band is as wide as it is
+  std::vector<MeasureKey> measures;  ///< keys into Measurements, or patterns of them
   Reduction reduction = Reduction::single;
   std::optional<Band> regression_band;  ///< around our own accepted value: what CI gates on
   std::string regression_reason;

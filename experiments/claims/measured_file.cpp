@@ -16,24 +16,25 @@
 namespace slfb {
 namespace {
 
-/// Whether a measure of a claim, "quantity/system/*" included, stands for `key`.
-bool stands_for(const std::string& measure, const std::string& key) {
-  if (!measure.ends_with("/*")) return measure == key;
-  const std::string stem = measure.substr(0, measure.size() - 1);
-  return key.starts_with(stem) && key.find('/', stem.size()) == std::string::npos;
-}
-
-bool uses(const Claim& claim, const std::string& key) {
-  return std::ranges::any_of(claim.measures, [&](const std::string& measure) { return stands_for(measure, key); });
+bool uses(const Claim& claim, const MeasureKey& key) {
+  return std::ranges::any_of(claim.measures, [&](const MeasureKey& measure) { return stands_for(measure, key); });
 }
 
 /// The unit of a measure as the claims have it; empty where only ratios and spreads use it, which have one of their
 /// own.
-std::string unit_of(const std::vector<Claim>& claims, const std::string& key) {
+std::string unit_of(const std::vector<Claim>& claims, const MeasureKey& key) {
   for (const Claim& claim : claims)
     if (uses(claim, key) && claim.reduction != Reduction::ratio && claim.reduction != Reduction::relative_spread)
       return claim.unit;
   return "";
+}
+
+MeasureKey key_of(TomlTable& table) {
+  try {
+    return parse_measure_key(table.text("measure"));
+  } catch (const std::invalid_argument& error) {
+    throw table.problem("measure", error.what());
+  }
 }
 
 }  // namespace
@@ -43,7 +44,8 @@ Measurements load_measured(const std::filesystem::path& file, const std::vector<
   TomlTable table(parsed, file.string());
   Measurements measured;
   for (TomlTable& one : table.tables("measured")) {
-    const std::string key = one.text("measure"), unit = one.text("unit");
+    const MeasureKey key = key_of(one);
+    const std::string unit = one.text("unit");
     Measurement measurement;
     measurement.value = one.number("value");
     measurement.half_width = one.number("half_width", std::numeric_limits<double>::quiet_NaN());
@@ -52,17 +54,18 @@ Measurements load_measured(const std::filesystem::path& file, const std::vector<
     one.reject_others();
     if (std::ranges::none_of(claims, [&](const Claim& claim) { return uses(claim, key); })) {
       std::vector<std::string> known;
-      for (const Claim& claim : claims) known.insert(known.end(), claim.measures.begin(), claim.measures.end());
-      throw one.problem("measure", fmt::format("no claim uses \"{}\"; close: {}", key,
-                                               fmt::join(close_names(key, std::move(known)), ", ")));
+      for (const Claim& claim : claims)
+        std::ranges::transform(claim.measures, std::back_inserter(known), [](const auto& m) { return to_string(m); });
+      throw one.problem("measure", fmt::format("no claim uses \"{}\"; close: {}", to_string(key),
+                                               fmt::join(close_names(to_string(key), std::move(known)), ", ")));
     }
     if (const std::string needed = unit_of(claims, key); !needed.empty() && needed != unit)
-      throw one.problem("unit", fmt::format("\"{}\", but {} is needed in \"{}\"", unit, key, needed));
+      throw one.problem("unit", fmt::format("\"{}\", but {} is needed in \"{}\"", unit, to_string(key), needed));
     if (std::isinf(measurement.value)) throw one.problem("value", "is not finite");
     if (measurement.half_width < 0.0)
       throw one.problem("half_width", fmt::format("{} is below zero", measurement.half_width));
     if (!measured.try_emplace(key, measurement).second)
-      throw one.problem("measure", fmt::format("\"{}\" stands here twice", key));
+      throw one.problem("measure", fmt::format("\"{}\" stands here twice", to_string(key)));
   }
   table.reject_others();
   std::erase_if(measured, [](const auto& entry) { return std::isnan(entry.second.value); });
@@ -78,9 +81,9 @@ std::vector<Evaluation> evaluate_measured(const std::vector<Claim>& claims, cons
   std::vector<Evaluation> evaluations;
   for (Claim claim : claims) {
     std::vector<std::string> missing;
-    for (const std::string& measure : claim.measures)
+    for (const MeasureKey& measure : claim.measures)
       if (std::ranges::none_of(measured, [&](const auto& entry) { return stands_for(measure, entry.first); }))
-        missing.push_back(measure);
+        missing.push_back(to_string(measure));
     if (missing.size() == claim.measures.size()) continue;
     claim.regression_band.reset();  // of this suite's own results
     Evaluation evaluation = evaluate({claim}, measured).front();
@@ -100,17 +103,17 @@ std::string measured_template(const std::vector<Claim>& claims) {
       "# value: nan where there is none. half_width: of the 95 % interval; 0 for an exact number; without it the "
       "value\n"
       "# is a single sample, which decides nothing.\n";
-  std::set<std::string> written;
+  std::set<MeasureKey> written;
   for (const Claim& claim : claims) {
     if (!claim.undecidable.empty()) continue;
-    for (const std::string& measure : claim.measures) {
+    for (const MeasureKey& measure : claim.measures) {
       if (!needs_run(measure) || !written.insert(measure).second) continue;
       text += fmt::format("\n# {}: {}; the paper: {}\n", claim.id, claim.quantity, claim.paper_text());
-      const bool any_velocity = measure.ends_with("/*");
+      const bool any_velocity = measure.for_all_at;
       if (any_velocity) text += "# For every U_L [m/s] in the place of *:\n";
       text +=
           fmt::format("{0}[[measured]]\n{0}measure = \"{1}\"\n{0}value = nan\n{0}half_width = nan\n{0}unit = \"{2}\"\n",
-                      any_velocity ? "# " : "", measure, unit_of(claims, measure));
+                      any_velocity ? "# " : "", to_string(measure), unit_of(claims, measure));
     }
   }
   return text;

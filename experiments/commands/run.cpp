@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <map>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <string>
@@ -100,15 +101,14 @@ int print_plan(const Options& options, const Scene& scene) {
 }
 
 /// What measure_runs finds in one run, by quantity. Empty without bed particles, which its definitions need.
-Measurements measure(const Options& options, const Scene& scene, const RunResult& result) {
+std::map<std::string, Measurement> measure(const Options& options, const Scene& scene, const RunResult& result) {
   if (std::none_of(scene.species.begin(), scene.species.end(), [](const Species& s) { return s.count > 0; })) return {};
   const RunSpec spec{options.scene.stem().string(), scene.liquid.superficial_velocity, "", options.scene, {}};
-  Measurements by_quantity;
-  for (const auto& [key, measurement] : measure_runs({{spec, scene, result}})) {
-    const std::string quantity = key.substr(0, key.find('/'));
+  std::map<std::string, Measurement> by_quantity;
+  for (const auto& [key, measurement] : measure_runs({{spec, scene, result}}))
     // The others are of a system over its velocities.
-    if (key == measure_key(quantity, spec.system, spec.superficial_velocity)) by_quantity[quantity] = measurement;
-  }
+    if (key == measure_key(key.quantity, spec.system, spec.superficial_velocity))
+      by_quantity[key.quantity] = measurement;
   return by_quantity;
 }
 
@@ -116,7 +116,7 @@ double particle_steps_per_second(const RunResult& result) {
   return result.wall_seconds > 0.0 ? static_cast<double>(result.particle_steps) / result.wall_seconds : 0.0;
 }
 
-void add_result(json& answer, const RunResult& result, const Measurements& measurements) {
+void add_result(json& answer, const RunResult& result, const std::map<std::string, Measurement>& measurements) {
   answer["wall_seconds"] = result.wall_seconds;
   answer["cpu_seconds"] = result.cpu_seconds;
   answer["simulated_seconds"] = result.simulated_seconds;
@@ -141,7 +141,7 @@ void add_result(json& answer, const RunResult& result, const Measurements& measu
   }
 }
 
-void print_result(const RunResult& result, const Measurements& measurements) {
+void print_result(const RunResult& result, const std::map<std::string, Measurement>& measurements) {
   const auto line = [](const std::string& name, const std::string& text) { fmt::print("  {:<22} {}\n", name, text); };
   const auto measured = [&](const char* name, const char* quantity) {
     const auto found = measurements.find(quantity);
@@ -197,7 +197,7 @@ int run(const Options& options) {
   if (outcome.unfinished() == 0) {
     const auto file = result_file(options.out, hash);
     const RunResult result = load_own_result(options.out, hash);
-    const Measurements measurements = measure(options, scene, result);
+    const auto measurements = measure(options, scene, result);
     answer["result"] = file.string();
     add_result(answer, result, measurements);
     if (!options.json) {

@@ -17,10 +17,9 @@ constexpr const char* system_name = "6in5W";
 
 /// Whether a measure of the claim is taken in that run; "quantity/system" is taken in all runs of the system.
 bool asks_for(const Claim& claim, const RunSpec& run) {
-  return std::ranges::any_of(claim.measures, [&](const std::string& measure) {
-    const auto slash = measure.find('/');
-    const std::string place = slash == std::string::npos ? "" : measure.substr(slash + 1);
-    return place == run_key(run) || place == run.system || place == run.system + "/*";
+  return std::ranges::any_of(claim.measures, [&](const MeasureKey& measure) {
+    const bool of_all_runs = measure.subject == run.system && !measure.at && measure.detail.empty();
+    return of_all_runs || measure == measure_key(measure.quantity, run.system, run.superficial_velocity, run.variant);
   });
 }
 

@@ -280,10 +280,10 @@ HomogeneousBed homogeneous_bed(const drag::DragLawKernels& law, double superfici
 
 Measurements measure_homogeneous_bed(const drag::DragLawKernels& law) {
   Measurements found;
-  const auto put = [&](const std::string& key, double value, const char* unit) {
+  const auto put = [&](const MeasureKey& key, double value, const char* unit) {
     if (std::isfinite(value)) found[key] = {value, 0.0, 1, unit, "law"};
   };
-  put("minimum_fluidisation_velocity/6in5W", bed_velocity(law, paper::packed_voidage()), "m/s");
+  put({"minimum_fluidisation_velocity", "6in5W"}, bed_velocity(law, paper::packed_voidage()), "m/s");
   for (const Table2Row& row : peng_2014().table2()) {
     const HomogeneousBed bed = homogeneous_bed(law, row.superficial_velocity);
     put(measure_key("voidage_centre_of_mass", "6in5W", row.superficial_velocity), bed.voidage, "-");

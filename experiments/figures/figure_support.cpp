@@ -113,19 +113,9 @@ std::string springs_note(const std::vector<FinishedRun>& own_springs) {
 
 std::vector<MeasuredPoint> measured_points(const Measurements& measurements, std::string_view quantity,
                                            std::string_view system, std::string_view variant) {
-  const std::string prefix = fmt::format("{}/{}/", quantity, system);
   std::vector<MeasuredPoint> points;
-  for (auto entry = measurements.lower_bound(prefix); entry != measurements.end(); ++entry) {
-    const auto& [key, measured] = *entry;
-    if (!key.starts_with(prefix)) break;
-    const std::string tail = key.substr(prefix.size());
-    const std::size_t slash = tail.find('/');
-    const std::string found_variant = slash == std::string::npos ? "" : tail.substr(slash + 1);
-    if (found_variant != variant) continue;
-    points.push_back({std::stod(tail.substr(0, slash)), measured.value, measured.half_width});
-  }
-  std::sort(points.begin(), points.end(),
-            [](const auto& a, const auto& b) { return a.superficial_velocity < b.superficial_velocity; });
+  for (const auto& [velocity, measured] : over_numbers(measurements, quantity, system, variant))
+    points.push_back({velocity, measured.value, measured.half_width});
   return points;
 }
 

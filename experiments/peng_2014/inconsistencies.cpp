@@ -41,7 +41,12 @@ class InconsistencyTable {
 
  private:
   [[nodiscard]] double paper(const char* id) const { return paper_.value(id); }
-  [[nodiscard]] double law(const std::string& key) const { return laws_.at(key).value; }
+  [[nodiscard]] double law(const char* quantity, const char* subject) const {
+    return laws_.at({quantity, subject}).value;
+  }
+  [[nodiscard]] double law(const char* quantity, const char* subject, double at) const {
+    return laws_.at(measure_key(quantity, subject, at)).value;
+  }
   [[nodiscard]] const Table2Row& row_at(double velocity) const {
     for (const Table2Row& row : paper_.table2()) {
       if (std::abs(row.superficial_velocity - velocity) < 1e-9) return row;
@@ -61,19 +66,19 @@ class InconsistencyTable {
     const double height = paper("packed_height");
     const double volume_3mm = paper::glass(0.003).volume();
     add("particle_density", "density of the fluidised glass", "fluidised_particle_density",
-        law("glass_density/from-particle-count"),
+        law("glass_density", "from-particle-count"),
         fmt::format("With {:.0f} kg/m³ the {} kg make {:.0f} spheres of 3 mm, weigh {:.0f} Pa and fill {} m at voidage "
                     "{:.3f}; with {:.0f} kg/m³ these are {:.1f}, {:.1f} Pa and {:.4f}, the printed {:.0f}, {:.0f} Pa "
                     "and a packed bed of that height.",
                     printed_density, mass, mass / (printed_density * volume_3mm),
                     paper::bed_weight_pressure(printed_density), height,
                     paper::voidage_in_column(mass, printed_density, height), paper::glass_density,
-                    law("particle_count/3mm"), law("bed_weight_pressure/glass-2230"), paper::packed_voidage(),
+                    law("particle_count", "3mm"), law("bed_weight_pressure", "glass-2230"), paper::packed_voidage(),
                     paper("particle_count_3mm"), paper("bed_weight_pressure")));
 
     const double table_mass = paper("fluidised_mass_table");
     add("particle_mass", "mass of the fluidised particles", "fluidised_mass_table",
-        law("fluidised_mass/in-packed-height"),
+        law("fluidised_mass", "in-packed-height"),
         fmt::format("The text has {} kg; {} kg of glass would make a bed of {:.3f} m, not of {} m.", mass, table_mass,
                     table_mass / (paper::glass_density * (1.0 - paper::packed_voidage()) * paper::column_area()),
                     height));
@@ -107,16 +112,17 @@ class InconsistencyTable {
          fmt::format("Eq. 20 multiplies the drag by the voidage and Eq. 35 does not; with the factor a bed of voidage "
                      "{:.3f} would fluidise at {:.4f} m/s, without it at {:.4f} m/s.",
                      voidage, with_factor, velocity(drag::Ergun1952{}))});
-    add("centroid_error", "largest error of the centroid method", "centroid_error", law("centroid_volume_error/corner"),
+    add("centroid_error", "largest error of the centroid method", "centroid_error",
+        law("centroid_volume_error", "corner"),
         fmt::format(
             "A sphere at a cell face is misplaced by {:.0f} % of its volume, but one at an edge by {:.0f} % and "
             "one at a corner by {:.1f} %.",
-            100.0 * law("centroid_volume_error/face"), 100.0 * law("centroid_volume_error/edge"),
-            100.0 * law("centroid_volume_error/corner")));
+            100.0 * law("centroid_volume_error", "face"), 100.0 * law("centroid_volume_error", "edge"),
+            100.0 * law("centroid_volume_error", "corner")));
   }
 
   void add_numerics_rows() {
-    const double contact_3mm = law("contact_time/glass-3mm-glass-3mm");
+    const double contact_3mm = law("contact_time", "glass-3mm-glass-3mm");
     const Sphere sphere = paper::glass(0.003);
     const double effective_mass = 0.5 * sphere.volume() * sphere.density;
     const double limit = 2.0 * std::sqrt(effective_mass / paper("normal_stiffness"));
@@ -126,34 +132,34 @@ class InconsistencyTable {
             "A collision of 5 mm spheres lasts {:.3g} s ({:.1f} steps) and one of 3 mm spheres {:.3g} s ({:.1f} "
             "steps) where {:.0f} are usual; the explicit limit of a single 3 mm pair is {:.2g} s, and lower in "
             "a packing.",
-            law("contact_time/glass-5mm-glass-5mm"), law("steps_per_contact/glass-5mm-glass-5mm"), contact_3mm,
-            law("steps_per_contact/glass-3mm-glass-3mm"), steps_usual, limit));
-    add("maximum_overlap", "largest overlap over particle radius", "maximum_overlap", law("overlap/peak-highest"),
+            law("contact_time", "glass-5mm-glass-5mm"), law("steps_per_contact", "glass-5mm-glass-5mm"), contact_3mm,
+            law("steps_per_contact", "glass-3mm-glass-3mm"), steps_usual, limit));
+    add("maximum_overlap", "largest overlap over particle radius", "maximum_overlap", law("overlap", "peak-highest"),
         fmt::format("Peaks of {:.0f} to {:.0f} times the weight of the steel sphere press it {:.2f} to {:.2f} % of its "
                     "radius into its neighbour; the printed {:.4f} % can only be an average.",
-                    paper("peak_force_lowest"), paper("peak_force_highest"), 100.0 * law("overlap/peak-lowest"),
-                    100.0 * law("overlap/peak-highest"), 100.0 * paper("maximum_overlap")));
-    const double cell = law("mean_cell_size/stated-mesh");
+                    paper("peak_force_lowest"), paper("peak_force_highest"), 100.0 * law("overlap", "peak-lowest"),
+                    100.0 * law("overlap", "peak-highest"), 100.0 * paper("maximum_overlap")));
+    const double cell = law("mean_cell_size", "stated-mesh");
     rows_.push_back({"cell_size", "mean cell of the mesh against the foreign sphere", paper_.at("cell_count").source,
                      0.006, cell, "m",
                      fmt::format("{:.0f} cells in the column are {:.2f} mm wide on average, so that the 6 mm sphere "
                                  "fills {:.0f} % of one and sees itself in its local voidage.",
-                                 paper("cell_count"), 1000.0 * cell, 100.0 * law("cell_fraction/steel-6mm"))});
+                                 paper("cell_count"), 1000.0 * cell, 100.0 * law("cell_fraction", "steel-6mm"))});
     add("restitution", "restitution in the liquid", "restitution_coefficient",
-        paper("restitution_coefficient") * law("wet_restitution/glass-5mm-water-lowest"),
+        paper("restitution_coefficient") * law("wet_restitution", "glass-5mm-water-lowest"),
         fmt::format(
             "By Legendre et al. (2005) a 5 mm glass sphere that hits at √q_p² of Fig. 18 keeps {:.2f} to {:.2f} "
             "of its dry restitution in water.",
-            law("wet_restitution/glass-5mm-water-lowest"), law("wet_restitution/glass-5mm-water-highest")));
+            law("wet_restitution", "glass-5mm-water-lowest"), law("wet_restitution", "glass-5mm-water-highest")));
   }
 
   void add_pressure_rows() {
     add("umf_packing", "minimum fluidisation velocity by Eq. 36", "umf_equation_36",
-        law("minimum_fluidisation_velocity/equation-36-at-stated-packing"),
+        law("minimum_fluidisation_velocity", "equation-36-at-stated-packing"),
         fmt::format("The printed value needs voidage {:.3f}; at the packed {} it is {:.4f} m/s.",
                     paper::packed_voidage(), paper("packed_voidage"),
-                    law("minimum_fluidisation_velocity/equation-36-at-stated-packing")));
-    const double weight = law("bed_weight_pressure/glass-2230");
+                    law("minimum_fluidisation_velocity", "equation-36-at-stated-packing")));
+    const double weight = law("bed_weight_pressure", "glass-2230");
     const double steel = paper::steel(0.006).volume() * (paper::steel(0.006).density - paper::water().density) *
                          gravitational_acceleration / paper::column_area();
     add("pressure_plateau", "pressure drop of the fluidised bed", "pressure_plateau", weight,
@@ -161,12 +167,12 @@ class InconsistencyTable {
                     "{:.1f} %.",
                     100.0 * (paper("pressure_plateau") / weight - 1.0), 100.0 * steel / weight));
     add("packed_line", "pressure drop of the packed bed at 0.03 m/s", "figure5/packed_line/0.03",
-        law("packed_pressure/ergun-1952/0.03"),
+        law("packed_pressure", "ergun-1952", 0.03),
         fmt::format(
             "The line is negative below {:.4f} m/s, so it is no packed-bed law; Ergun's equation gives {:.0f} and "
             "{:.0f} Pa at 0.03 and 0.04 m/s where the line has {:.0f} and {:.0f} Pa.",
-            -paper("packed_line_intercept") / paper("packed_line_slope"), law("packed_pressure/ergun-1952/0.03"),
-            law("packed_pressure/ergun-1952/0.04"), paper("figure5/packed_line/0.03"),
+            -paper("packed_line_intercept") / paper("packed_line_slope"), law("packed_pressure", "ergun-1952", 0.03),
+            law("packed_pressure", "ergun-1952", 0.04), paper("figure5/packed_line/0.03"),
             paper("figure5/packed_line/0.04")));
   }
 
@@ -174,14 +180,15 @@ class InconsistencyTable {
     std::vector<std::string> printed, gidaspow, equation_36;
     double largest = 0.0;
     for (const VoidagePoint& point : paper_.figure13()) {
-      const std::string at = fmt::format("{:.2f}", point.superficial_velocity);
       printed.push_back(fmt::format("{:.2f}", point.voidage));
-      gidaspow.push_back(fmt::format("{:.3f}", law("homogeneous_voidage/gidaspow-1994/" + at)));
-      equation_36.push_back(fmt::format("{:.3f}", law("homogeneous_voidage/doroodchi-2012/" + at)));
-      largest = std::max(largest, std::abs(law("voidage_difference/doroodchi-2012/" + at)));
+      gidaspow.push_back(
+          fmt::format("{:.3f}", law("homogeneous_voidage", "gidaspow-1994", point.superficial_velocity)));
+      equation_36.push_back(
+          fmt::format("{:.3f}", law("homogeneous_voidage", "doroodchi-2012", point.superficial_velocity)));
+      largest = std::max(largest, std::abs(law("voidage_difference", "doroodchi-2012", point.superficial_velocity)));
     }
     add("drag_law", "voidage of the bed at 0.11 m/s under the drag law the paper names", "figure13/voidage/0.11",
-        law("homogeneous_voidage/gidaspow-1994/0.11"),
+        law("homogeneous_voidage", "gidaspow-1994", 0.11),
         fmt::format("From 0.06 to 0.11 m/s the captions print {}; a homogeneous bed under Gidaspow's law stands at {}, "
                     "under that of Eq. 36 at {} (within {:.3f}).",
                     fmt::join(printed, ", "), fmt::join(gidaspow, ", "), fmt::join(equation_36, ", "), largest));
@@ -202,9 +209,9 @@ class InconsistencyTable {
                      "between {:.3f} and {:.3f} m/s.",
                      below, above)});
     add("washed_out", "superficial velocity of the NaI bed in Fig. 17", "figure17_velocity",
-        law("terminal_velocity/glass-5mm-sodium-iodide"),
+        law("terminal_velocity", "glass-5mm-sodium-iodide"),
         fmt::format("A 5 mm glass sphere falls at {:.3f} m/s in that liquid, so that the bed would wash out at {} m/s.",
-                    law("terminal_velocity/glass-5mm-sodium-iodide"), paper("figure17_velocity")));
+                    law("terminal_velocity", "glass-5mm-sodium-iodide"), paper("figure17_velocity")));
     add("figure15_caption", "voidage of the dilute case of Fig. 15", "figure15_caption_voidage",
         paper("figure15_text_voidage"),
         "The caption repeats the voidage of the case before; text and plot have the other.");
@@ -252,7 +259,7 @@ class InconsistencyTable {
   }
 
   void add_collision_rows() {
-    const double kinetic = law("dimensionless_collision_frequency/simonin-1991/0.42");
+    const double kinetic = law("dimensionless_collision_frequency", "simonin-1991", 0.42);
     const double speed = std::sqrt(paper("fluctuating_energy_lowest"));
     const double printed = paper("collision_frequency_dilute");
     add("kinetic_theory", "collision frequency at solid fraction 0.42", "collision_frequency_dilute",
@@ -262,32 +269,33 @@ class InconsistencyTable {
             "{:.1f} (6 mm), where the kinetic theory has {:.1f}; the swept volume of a sphere that drifts at V_2 "
             "(Eq. 5) gives {:.0f} 1/s.",
             printed, printed * 0.005 / speed, printed * 0.006 / speed, kinetic,
-            law("collision_frequency/gjaltema-1997/0.42")));
+            law("collision_frequency", "gjaltema-1997", 0.42)));
     add("stokes_number", "Stokes number of the particles, lower bound", "stokes_limit",
-        law("stokes_number/glass-3mm-sodium-iodide-lowest"),
+        law("stokes_number", "glass-3mm-sodium-iodide-lowest"),
         fmt::format("With the fluctuating energies of Fig. 18 the glass spheres span {:.0f} to {:.0f}; only the steel "
                     "sphere, {:.0f} and more, is always above.",
-                    law("stokes_number/glass-3mm-sodium-iodide-lowest"), law("stokes_number/glass-5mm-water-highest"),
-                    law("stokes_number/steel-6mm-sodium-iodide-lowest")));
+                    law("stokes_number", "glass-3mm-sodium-iodide-lowest"),
+                    law("stokes_number", "glass-5mm-water-highest"),
+                    law("stokes_number", "steel-6mm-sodium-iodide-lowest")));
   }
 
   void add_force_rows() {
     add("mean_drag", "drag over weight of the foreign sphere in the dilute bed", "drag_ratio_dilute",
-        law("drag_ratio/gidaspow-1994/0.24"),
+        law("drag_ratio", "gidaspow-1994", 0.24),
         fmt::format("At the mean voidage and the velocities of Table 2, from 0.06 to 0.24 m/s, Gidaspow's law gives "
                     "{:.2f} to {:.2f} of the weight, Wen and Yu's {:.2f} to {:.2f}; the paper has {} to {}.",
-                    law("drag_ratio/gidaspow-1994/0.06"), law("drag_ratio/gidaspow-1994/0.24"),
-                    law("drag_ratio/wen-yu-1966/0.06"), law("drag_ratio/wen-yu-1966/0.24"), paper("drag_ratio_dense"),
-                    paper("drag_ratio_dilute")));
+                    law("drag_ratio", "gidaspow-1994", 0.06), law("drag_ratio", "gidaspow-1994", 0.24),
+                    law("drag_ratio", "wen-yu-1966", 0.06), law("drag_ratio", "wen-yu-1966", 0.24),
+                    paper("drag_ratio_dense"), paper("drag_ratio_dilute")));
     add("pressure_force", "pressure-gradient force over weight in the dense bed", "pressure_ratio_dense",
-        law("pressure_gradient_ratio/suspension/0.46"),
+        law("pressure_gradient_ratio", "suspension", 0.46),
         fmt::format(
             "In a fluidised bed the pressure carries the suspension: {:.3f} at voidage 0.46 and {:.3f} at 0.80; "
             "the paper has {} and {}, less than the hydrostatic {:.3f}.",
-            law("pressure_gradient_ratio/suspension/0.46"), law("pressure_gradient_ratio/suspension/0.80"),
-            paper("pressure_ratio_dense"), paper("pressure_ratio_dilute"), law("buoyancy_ratio/steel-water")));
+            law("pressure_gradient_ratio", "suspension", 0.46), law("pressure_gradient_ratio", "suspension", 0.80),
+            paper("pressure_ratio_dense"), paper("pressure_ratio_dilute"), law("buoyancy_ratio", "steel-water")));
     add("hydrostatic_force", "pressure-gradient force over weight below voidage 0.54", "pressure_ratio_dense",
-        law("buoyancy_ratio/steel-water"),
+        law("buoyancy_ratio", "steel-water"),
         fmt::format("The text says that it is the hydrostatic {}, the plot of the same quantity begins at {}.",
                     paper("buoyancy_ratio"), paper("pressure_ratio_dense")));
     const auto collision_force = [&](double voidage) {

@@ -73,39 +73,39 @@ class LawMeasurements {
   }
 
  private:
-  void add(const std::string& key, double value, std::string unit, std::string origin = "law") {
+  void add(const MeasureKey& key, double value, std::string unit, std::string origin = "law") {
     measurements_[key] = {
         .value = value, .half_width = 0.0, .samples = 1, .unit = std::move(unit), .origin = std::move(origin)};
   }
-  void compute(const std::string& key, double value, std::string unit) {
+  void compute(const MeasureKey& key, double value, std::string unit) {
     add(key, value, std::move(unit), "arithmetic");
   }
 
   void measure_packed_bed() {
     const double mass = paper_.value("fluidised_mass_text");
     const double count_3mm = paper_.value("particle_count_3mm");
-    compute("particle_count/3mm", mass / (paper::glass(0.003).density * paper::glass(0.003).volume()), "-");
-    compute("particle_count/5mm", mass / (paper::glass(0.005).density * paper::glass(0.005).volume()), "-");
-    compute("glass_density/from-particle-count", mass / (count_3mm * paper::glass(0.003).volume()), "kg/m³");
-    compute("fluidised_mass/in-packed-height",
+    compute({"particle_count", "3mm"}, mass / (paper::glass(0.003).density * paper::glass(0.003).volume()), "-");
+    compute({"particle_count", "5mm"}, mass / (paper::glass(0.005).density * paper::glass(0.005).volume()), "-");
+    compute({"glass_density", "from-particle-count"}, mass / (count_3mm * paper::glass(0.003).volume()), "kg/m³");
+    compute({"fluidised_mass", "in-packed-height"},
             paper_.value("packed_solid_fraction") * paper_.value("fluidised_particle_density") * paper::column_area() *
                 paper_.value("packed_height"),
             "kg");
-    compute("packed_voidage/in-packed-height", paper::packed_voidage(), "-");
+    compute({"packed_voidage", "in-packed-height"}, paper::packed_voidage(), "-");
     const double weight = paper::bed_weight_pressure(paper::glass_density);
-    compute("bed_weight_pressure/glass-2230", weight, "Pa");
-    compute("pressure_excess/plateau-over-weight", 1.0 - weight / paper_.value("pressure_plateau"), "-");
+    compute({"bed_weight_pressure", "glass-2230"}, weight, "Pa");
+    compute({"pressure_excess", "plateau-over-weight"}, 1.0 - weight / paper_.value("pressure_plateau"), "-");
     compute(
-        "minimum_fluidisation_velocity/fitted-lines",
+        {"minimum_fluidisation_velocity", "fitted-lines"},
         (paper_.value("pressure_plateau") - paper_.value("packed_line_intercept")) / paper_.value("packed_line_slope"),
         "m/s");
     const fluidisation::minimum_fluidisation::Doroodchi2012 equation_36;
-    add("minimum_fluidisation_velocity/equation-36",
+    add({"minimum_fluidisation_velocity", "equation-36"},
         equation_36({paper::glass(0.005), paper::water(), paper::packed_voidage()}), "m/s");
-    add("minimum_fluidisation_velocity/equation-36-at-stated-packing",
+    add({"minimum_fluidisation_velocity", "equation-36-at-stated-packing"},
         equation_36({paper::glass(0.005), paper::water(), paper_.value("packed_voidage")}), "m/s");
     for (const double velocity : {0.03, 0.04}) {
-      add(fmt::format("packed_pressure/ergun-1952/{:.2f}", velocity),
+      add(measure_key("packed_pressure", "ergun-1952", velocity),
           paper::ergun_pressure(paper::packed_voidage(), velocity), "Pa");
     }
   }
@@ -115,11 +115,13 @@ class LawMeasurements {
       for (const Table2Row& row : paper_.table2()) {
         const auto state = fluidisation::bed_voidage(law, paper::glass(0.005), paper::water(), row.superficial_velocity,
                                                      paper::packed_voidage());
-        add(fmt::format("homogeneous_voidage/{}/{:.2f}", law.info.name, row.superficial_velocity), state.voidage, "-");
+        add(measure_key("homogeneous_voidage", law.info.name, row.superficial_velocity), state.voidage, "-");
       }
       for (const VoidagePoint& point : paper_.figure13()) {
-        const std::string tail = fmt::format("{}/{:.2f}", law.info.name, point.superficial_velocity);
-        add("voidage_difference/" + tail, measurements_.at("homogeneous_voidage/" + tail).value - point.voidage, "-");
+        const auto key = [&](const char* quantity) {
+          return measure_key(quantity, law.info.name, point.superficial_velocity);
+        };
+        add(key("voidage_difference"), measurements_.at(key("homogeneous_voidage")).value - point.voidage, "-");
       }
     });
   }
@@ -127,8 +129,8 @@ class LawMeasurements {
   void measure_collision_force() {
     const collision::Peng2014 equation_40;
     const collision::VanDerWielen1996 van_der_wielen;
-    add("collision_force/peng-2014/empty", equation_40(paper::steel_in_glass(0.0, 1.0), 0.0), "-");
-    add("collision_force/peng-2014/packed",
+    add({"collision_force", "peng-2014", {}, "empty"}, equation_40(paper::steel_in_glass(0.0, 1.0), 0.0), "-");
+    add({"collision_force", "peng-2014", {}, "packed"},
         equation_40(paper::steel_in_glass(0.0, paper_.value("packed_voidage")), 0.0), "-");
 
     double largest = 0.0, peak_voidage = 0.0, sum_of_deviations = 0.0;
@@ -136,18 +138,18 @@ class LawMeasurements {
       const auto state = paper::steel_in_glass(row.superficial_velocity);
       const double ours = equation_40(state, row.classification_velocity);
       const double theirs = van_der_wielen(state, row.classification_velocity);
-      const std::string at = fmt::format("{:.2f}", row.superficial_velocity);
-      add("collision_force/peng-2014/" + at, ours, "-");
-      add("collision_force/van-der-wielen-1996-force/" + at, theirs, "-");
-      add("collision_force/grbavcic-2009-force-largest/" + at, GrbavcicForce{.transition = 0.0}(state), "-");
+      add(measure_key("collision_force", "peng-2014", row.superficial_velocity), ours, "-");
+      add(measure_key("collision_force", "van-der-wielen-1996-force", row.superficial_velocity), theirs, "-");
+      add(measure_key("collision_force", "grbavcic-2009-force-largest", row.superficial_velocity),
+          GrbavcicForce{.transition = 0.0}(state), "-");
       sum_of_deviations += std::abs(theirs / ours - 1.0);
       if (theirs > largest) {
         largest = theirs;
         peak_voidage = state.voidage;
       }
     }
-    add("collision_force_peak_voidage/van-der-wielen-1996-force", peak_voidage, "-");
-    add("collision_force_deviation/van-der-wielen-1996-force",
+    add({"collision_force_peak_voidage", "van-der-wielen-1996-force"}, peak_voidage, "-");
+    add({"collision_force_deviation", "van-der-wielen-1996-force"},
         sum_of_deviations / static_cast<double>(paper_.table2().size()), "-");
 
     // With f = 0 the force does not depend on the unknown transition function; its maximum stands where it stands for
@@ -161,7 +163,7 @@ class LawMeasurements {
         peak_voidage = voidage;
       }
     }
-    add("collision_force_peak_voidage/grbavcic-2009-force", peak_voidage, "-");
+    add({"collision_force_peak_voidage", "grbavcic-2009-force"}, peak_voidage, "-");
   }
 
   void measure_collision_frequency() {
@@ -175,7 +177,7 @@ class LawMeasurements {
       return collision::dimensionless_frequency(collision::Simonin1991{}(state), state);
     };
     for (const double solids : {0.20, 0.30, 0.42, 0.50, 0.54}) {
-      add(fmt::format("dimensionless_collision_frequency/simonin-1991/{:.2f}", solids), kinetic_theory(solids), "-");
+      add(measure_key("dimensionless_collision_frequency", "simonin-1991", solids), kinetic_theory(solids), "-");
     }
     // The paper's two numbers, read as favourably as its figures allow: the diameter of the steel sphere and the
     // smallest fluctuating energy on the axis make f* largest.
@@ -183,13 +185,13 @@ class LawMeasurements {
                                                       {0.54, "collision_frequency_dense"}};
     for (const auto& [solids, id] : printed) {
       const double dimensionless = paper_.value(id) * 0.006 / std::sqrt(lowest_energy);
-      compute(fmt::format("ktgf_ratio/printed-frequency/{:.2f}", solids), dimensionless / kinetic_theory(solids), "-");
+      compute(measure_key("ktgf_ratio", "printed-frequency", solids), dimensionless / kinetic_theory(solids), "-");
     }
     const double solids = 0.42;
     const auto& row = *std::find_if(paper_.table2().begin(), paper_.table2().end(), [](const Table2Row& entry) {
       return std::abs(entry.superficial_velocity - 0.11) < 1e-9;  // printed voidage 0.58
     });
-    add("collision_frequency/gjaltema-1997/0.42",
+    add(measure_key("collision_frequency", "gjaltema-1997", 0.42),
         collision::Gjaltema1997{}({.solids = solids,
                                    .bed_diameter = 0.005,
                                    .foreign_diameter = 0.006,
@@ -204,23 +206,21 @@ class LawMeasurements {
       for (const Table2Row& row : paper_.table2()) {
         const double velocity = law(paper::steel_in_glass(row.superficial_velocity));
         const double deviation = velocity / row.classification_velocity - 1.0;
-        const std::string tail = fmt::format("{}/{:.2f}", law.info.name, row.superficial_velocity);
-        add("classification_velocity/" + tail, velocity, "m/s");
-        add("classification_deviation/" + tail, deviation, "-");
+        add(measure_key("classification_velocity", law.info.name, row.superficial_velocity), velocity, "m/s");
+        add(measure_key("classification_deviation", law.info.name, row.superficial_velocity), deviation, "-");
         sum += std::abs(deviation);
       }
-      add(fmt::format("classification_deviation_mean/{}", law.info.name),
+      add({"classification_deviation_mean", std::string(law.info.name)},
           sum / static_cast<double>(paper_.table2().size()), "-");
     });
     for (const Table2Row& row : paper_.table2()) {
       const auto band = GrbavcicVelocity::band(paper::steel_in_glass(row.superficial_velocity));
-      const std::string at = fmt::format("{:.2f}", row.superficial_velocity);
       const double target = row.classification_velocity;
-      add("classification_velocity_lower/grbavcic-2009/" + at, band.lower, "m/s");
-      add("classification_velocity_upper/grbavcic-2009/" + at, band.upper, "m/s");
-      add("classification_deviation_smallest/grbavcic-2009/" + at,
+      add(measure_key("classification_velocity_lower", "grbavcic-2009", row.superficial_velocity), band.lower, "m/s");
+      add(measure_key("classification_velocity_upper", "grbavcic-2009", row.superficial_velocity), band.upper, "m/s");
+      add(measure_key("classification_deviation_smallest", "grbavcic-2009", row.superficial_velocity),
           std::clamp(target, band.lower, band.upper) / target - 1.0, "-");
-      add("classification_deviation_largest/grbavcic-2009/" + at,
+      add(measure_key("classification_deviation_largest", "grbavcic-2009", row.superficial_velocity),
           std::max(std::abs(band.lower / target - 1.0), std::abs(band.upper / target - 1.0)), "-");
     }
   }
@@ -228,11 +228,11 @@ class LawMeasurements {
   void measure_single_sphere() {
     const drag::single_sphere::BrownLawler2003 law;
     const double steel = fluidisation::terminal_velocity(law, paper::steel(0.006), paper::water());
-    add("terminal_velocity/steel-6mm-water", steel, "m/s");
-    add("terminal_reynolds/steel-6mm-water", reynolds_number(paper::water(), 0.006, steel), "-");
-    add("terminal_velocity/glass-5mm-water", fluidisation::terminal_velocity(law, paper::glass(0.005), paper::water()),
-        "m/s");
-    add("terminal_velocity/glass-5mm-sodium-iodide",
+    add({"terminal_velocity", "steel-6mm-water"}, steel, "m/s");
+    add({"terminal_reynolds", "steel-6mm-water"}, reynolds_number(paper::water(), 0.006, steel), "-");
+    add({"terminal_velocity", "glass-5mm-water"},
+        fluidisation::terminal_velocity(law, paper::glass(0.005), paper::water()), "m/s");
+    add({"terminal_velocity", "glass-5mm-sodium-iodide"},
         fluidisation::terminal_velocity(law, paper::glass(0.005), paper::sodium_iodide()), "m/s");
 
     struct Case {
@@ -250,9 +250,9 @@ class LawMeasurements {
       for (const auto& [level, id] :
            {std::pair{"lowest", "fluctuating_energy_lowest"}, std::pair{"highest", "fluctuating_energy_highest"}}) {
         const double energy = paper_.value(id);
-        add(fmt::format("stokes_number/{}-{}", c.name, level), collision::stokes_number(c.sphere, c.liquid, energy),
-            "-");
-        add(fmt::format("wet_restitution/{}-{}", c.name, level),
+        add({"stokes_number", fmt::format("{}-{}", c.name, level)},
+            collision::stokes_number(c.sphere, c.liquid, energy), "-");
+        add({"wet_restitution", fmt::format("{}-{}", c.name, level)},
             collision::Legendre2005{}({c.sphere, c.liquid, std::sqrt(energy), 0.0}), "-");
       }
     }
@@ -261,10 +261,10 @@ class LawMeasurements {
   void measure_forces_on_sphere() {
     const Sphere sphere = paper::steel(0.006);
     const LiquidProperties liquid = paper::water();
-    add("buoyancy_ratio/steel-water", liquid.density / sphere.density, "-");
+    add({"buoyancy_ratio", "steel-water"}, liquid.density / sphere.density, "-");
     for (const char* id : {"voidage_range_begin", "voidage_range_end"}) {
       const double voidage = paper_.value(id);
-      add(fmt::format("pressure_gradient_ratio/suspension/{:.2f}", voidage),
+      add(measure_key("pressure_gradient_ratio", "suspension", voidage),
           suspension_density(voidage, paper::glass(0.005), liquid) / sphere.density, "-");
     }
     const auto mean_field = [&](const auto& law, const Table2Row& row) {
@@ -277,7 +277,7 @@ class LawMeasurements {
     };
     for_each_law<std::tuple<drag::Gidaspow1994, drag::WenYu1966, drag::Gibilaro1985>>([&](const auto& law) {
       for (const Table2Row& row : paper_.table2()) {
-        add(fmt::format("drag_ratio/{}/{:.2f}", law.info.name, row.superficial_velocity), mean_field(law, row), "-");
+        add(measure_key("drag_ratio", law.info.name, row.superficial_velocity), mean_field(law, row), "-");
       }
     });
   }
@@ -291,28 +291,28 @@ class LawMeasurements {
         {"steel-6mm-glass-3mm", paper::steel(0.006), paper::glass(0.003)}};
     for (const auto& [name, a, b] : pairs) {
       const double time = paper::contact_time(a, b);
-      add(fmt::format("contact_time/{}", name), time, "s");
-      add(fmt::format("steps_per_contact/{}", name), time / step, "-");
+      add({"contact_time", std::string(name)}, time, "s");
+      add({"steps_per_contact", std::string(name)}, time / step, "-");
     }
     const double cell = paper::column_area() * paper_.value("column_height") / paper_.value("cell_count");
-    compute("mean_cell_size/stated-mesh", std::cbrt(cell), "m");
-    compute("cell_fraction/steel-6mm", paper::steel(0.006).volume() / cell, "-");
+    compute({"mean_cell_size", "stated-mesh"}, std::cbrt(cell), "m");
+    compute({"cell_fraction", "steel-6mm"}, paper::steel(0.006).volume() / cell, "-");
 
     // A sphere whose centre lies just inside a cell at one of its faces, edges or corners: the centroid method puts
     // the whole sphere there, where only 1/2, 1/4 or 1/8 of it is.
-    compute("centroid_volume_error/face", 1.0 - 1.0 / 2.0, "-");
-    compute("centroid_volume_error/edge", 1.0 - 1.0 / 4.0, "-");
-    compute("centroid_volume_error/corner", 1.0 - 1.0 / 8.0, "-");
+    compute({"centroid_volume_error", "face"}, 1.0 - 1.0 / 2.0, "-");
+    compute({"centroid_volume_error", "edge"}, 1.0 - 1.0 / 4.0, "-");
+    compute({"centroid_volume_error", "corner"}, 1.0 - 1.0 / 8.0, "-");
 
     const auto pieces = static_cast<int>(paper_.value("meshing_pieces"));
-    add(fmt::format("particle_meshing_volume_error/{}-pieces", pieces), particle_meshing_error(pieces), "-",
+    add({"particle_meshing_volume_error", fmt::format("{}-pieces", pieces)}, particle_meshing_error(pieces), "-",
         "arithmetic");
 
     // Static overlap under a force of so many sphere weights, over the radius of the sphere.
     for (const auto& [name, id] :
          {std::pair{"peak-lowest", "peak_force_lowest"}, std::pair{"peak-highest", "peak_force_highest"}}) {
       const Sphere sphere = paper::steel(0.006);
-      compute(fmt::format("overlap/{}", name),
+      compute({"overlap", std::string(name)},
               paper_.value(id) * sphere.weight() / paper_.value("normal_stiffness") / (0.5 * sphere.diameter), "-");
     }
   }

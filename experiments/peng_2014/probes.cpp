@@ -93,10 +93,10 @@ double frozen_bed_gradient(Scene scene) {
 
 Measurements measure_probes(const Scene& scene) {
   const auto exact = [](double value, const char* unit) { return Measurement{value, 0.0, 1, unit, "solver"}; };
-  return {{"restitution/solver", exact(restitution(scene), "-")},
-          {"sliding_friction/solver", exact(sliding_friction(scene), "-")},
-          {"terminal_velocity/solver", exact(terminal_velocity(scene), "m/s")},
-          {"frozen_bed_gradient/solver", exact(frozen_bed_gradient(scene), "Pa/m")}};
+  return {{MeasureKey{"restitution", "solver"}, exact(restitution(scene), "-")},
+          {MeasureKey{"sliding_friction", "solver"}, exact(sliding_friction(scene), "-")},
+          {MeasureKey{"terminal_velocity", "solver"}, exact(terminal_velocity(scene), "m/s")},
+          {MeasureKey{"frozen_bed_gradient", "solver"}, exact(frozen_bed_gradient(scene), "Pa/m")}};
 }
 
 Measurements measure_probes() {

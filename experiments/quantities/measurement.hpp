@@ -1,10 +1,12 @@
 #pragma once
 
-#include <cmath>
 #include <cstddef>
 #include <limits>
 #include <map>
 #include <string>
+#include <string_view>
+
+#include "experiments/quantities/measure_key.hpp"
 
 namespace slfb {
 
@@ -21,8 +23,10 @@ struct Measurement {
   Springs springs = Springs::any;
 };
 
-/// Keys read "<quantity>/<system>/<U_L>", e.g. "classification_velocity/6in5W/0.06"; a variant follows after a
-/// further slash ("…/0.06/di-felice-1994"). Quantities that need no run: "<quantity>/<what>".
-using Measurements = std::map<std::string, Measurement>;
+using Measurements = std::map<MeasureKey, Measurement>;
+
+/// The measurements of a quantity of one subject and detail by their number `at`, which rises.
+std::map<double, Measurement> over_numbers(const Measurements& measurements, std::string_view quantity,
+                                           std::string_view subject, std::string_view detail = "");
 
 }  // namespace slfb

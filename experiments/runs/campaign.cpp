@@ -1,5 +1,6 @@
 #include "experiments/runs/campaign.hpp"
 
+#include <fmt/format.h>
 #include <spdlog/spdlog.h>
 
 #include <optional>
@@ -38,6 +39,14 @@ std::optional<FinishedRun> published_run(const RunSpec& spec, const Scene& scene
 }
 
 }  // namespace
+
+std::string run_key(std::string_view system, double superficial_velocity, std::string_view variant) {
+  std::string key = fmt::format("{}/{}", system, velocity_text(superficial_velocity));
+  if (!variant.empty()) key += fmt::format("/{}", variant);
+  return key;
+}
+
+std::string run_key(const RunSpec& spec) { return run_key(spec.system, spec.superficial_velocity, spec.variant); }
 
 std::vector<FinishedRun> finished_runs(const Profile& profile, const std::filesystem::path& out) {
   std::vector<FinishedRun> runs;

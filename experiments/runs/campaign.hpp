@@ -4,8 +4,10 @@
 #include <optional>
 #include <set>
 #include <string>
+#include <string_view>
 #include <vector>
 
+#include "experiments/quantities/measure_key.hpp"
 #include "experiments/quantities/run_summary.hpp"
 #include "solver/io/run_result.hpp"
 #include "solver/scene/scene_file.hpp"
@@ -22,8 +24,9 @@ struct RunSpec {
   std::string profile = {};  ///< that it belongs to: "quick"
 };
 
-/// U_L [m/s] as names of runs and measurements have it: two decimals, or as many as it has: "0.10", "0.105".
-std::string velocity_text(double superficial_velocity);
+/// Names a run in lists of needed runs and on pages: "system/U_L" or "system/U_L/variant", U_L as velocity_text has it.
+std::string run_key(std::string_view system, double superficial_velocity, std::string_view variant = "");
+std::string run_key(const RunSpec& spec);
 
 /// The runs of a profile ("quick", "full") and what sets it apart from the paper, from
 /// experiments/peng_2014/profiles.toml.

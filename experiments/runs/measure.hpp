@@ -11,15 +11,8 @@
 /// From finished runs and from the laws to the numbers that the claims and figures compare.
 namespace slfb {
 
-/// "quantity/system/U_L" or "quantity/system/U_L/variant", U_L as velocity_text has it.
-std::string measure_key(std::string_view quantity, std::string_view system, double superficial_velocity,
-                        std::string_view variant = "");
-
-/// "system/U_L" or "system/U_L/variant": the tail of measure_key that names the run.
-std::string run_key(const RunSpec& spec);
-
-/// True when `key` is answered by simulations (its second part names a system such as 6in5W, or all), false for laws.
-bool needs_run(std::string_view key);
+/// True when `key` is answered by simulations (its subject is a system such as 6in5W, or all), false for laws.
+bool needs_run(const MeasureKey& key);
 
 /// Everything measured in finished runs.
 ///
@@ -44,7 +37,7 @@ Measurements measure_runs(const std::vector<FinishedRun>& runs);
 
 /// What a softer spring gets wrong, for its contacts last longer and hide the next: counts of contacts and collisions,
 /// and single forces, also "…_at_voidage".
-bool hangs_on_springs(std::string_view quantity);
+bool depends_on_contact_stiffness(std::string_view quantity);
 
 /// Takes what hangs on the springs from `own_springs`, measured in runs with those of the scene
 /// (runs_with_own_springs). A system

@@ -112,24 +112,11 @@ struct Linear {
   }
 };
 
-/// Measurements of one quantity over the velocities of a system, without variants.
-std::map<double, Measurement> over_velocity(const Measurements& measurements, const std::string& quantity,
-                                            const std::string& system) {
-  const std::string stem = quantity + "/" + system + "/";
-  std::map<double, Measurement> points;
-  for (auto entry = measurements.lower_bound(stem); entry != measurements.end() && entry->first.starts_with(stem);
-       ++entry) {
-    const std::string tail = entry->first.substr(stem.size());
-    if (tail.find('/') == std::string::npos) points.emplace(std::stod(tail), entry->second);
-  }
-  return points;
-}
-
 /// Fig. 5: the straight line through the packed bed, the plateau, and the velocity where they cross.
 void measure_pressure_curve(const std::string& system, Measurements& measurements) {
   std::vector<double> velocities;
   std::vector<Measurement> packed, fluidised;
-  for (const auto& [velocity, pressure] : over_velocity(measurements, "pressure_drop", system)) {
+  for (const auto& [velocity, pressure] : over_numbers(measurements, "pressure_drop", system)) {
     if (velocity < packed_up_to) {
       velocities.push_back(velocity);
       packed.push_back(pressure);
@@ -140,8 +127,7 @@ void measure_pressure_curve(const std::string& system, Measurements& measurement
   Linear plateau;
   for (const Measurement& pressure : fluidised) plateau.add(1.0 / static_cast<double>(fluidised.size()), pressure);
   const auto put = [&](const char* quantity, double value, double half_width, std::size_t samples, const char* unit) {
-    measurements[fmt::format("{}/{}", quantity, system)] = {value, half_width, samples, unit,
-                                                            "runs of " + system + " over U_L"};
+    measurements[{quantity, system}] = {value, half_width, samples, unit, "runs of " + system + " over U_L"};
   };
   if (!fluidised.empty()) {
     put("pressure_plateau", plateau.value, std::sqrt(plateau.variance), fluidised.size(), "Pa");
@@ -190,7 +176,7 @@ void measure_early_rise(const std::string& system, Measurements& measurements) {
   error.add(1.0 / (0.03 * late) + ratio / (0.15 * late), *middle);
   error.add(1.0 / (0.03 * late), *low);
   error.add(ratio / (0.15 * late), *high);
-  measurements["classification_velocity_rise_ratio/" + system] = {ratio, std::sqrt(error.variance), 3, "-",
+  measurements[{"classification_velocity_rise_ratio", system}] = {ratio, std::sqrt(error.variance), 3, "-",
                                                                   "runs of " + system + " over U_L"};
 }
 
@@ -207,8 +193,8 @@ void measure_at_voidages(const std::string& quantity, const std::string& system,
     Measurement voidage, value;
   };
   std::vector<Point> points;
-  const auto voidages = over_velocity(measurements, "voidage_centre_of_mass", system);
-  for (const auto& [velocity, value] : over_velocity(measurements, quantity, system))
+  const auto voidages = over_numbers(measurements, "voidage_centre_of_mass", system);
+  for (const auto& [velocity, value] : over_numbers(measurements, quantity, system))
     if (const auto voidage = voidages.find(velocity); voidage != voidages.end())
       points.push_back({voidage->second, value});
   if (points.empty()) return;
@@ -227,7 +213,7 @@ void measure_at_voidages(const std::string& quantity, const std::string& system,
     result.add(1.0 - share, lower.value);
     if (share > 0.0) result.add(share, upper.value);
     result.variance += std::pow(slope * std::max(lower.voidage.half_width, upper.voidage.half_width), 2);
-    measurements[fmt::format("{}_at_voidage/{}/{:.2f}", quantity, system, stated)] = {
+    measurements[measure_key(quantity + "_at_voidage", system, stated)] = {
         result.value, std::sqrt(result.variance), std::min(lower.value.samples, upper.value.samples), upper.value.unit,
         "runs of " + system + " over the voidage"};
   }
@@ -237,24 +223,22 @@ void measure_at_voidages(const std::string& quantity, const std::string& system,
 void measure_equation_40_share(Measurements& measurements) {
   double within = 0.0;
   std::size_t runs = 0;
-  const std::string stem = "equation_40_deviation/";
-  for (auto entry = measurements.lower_bound(stem); entry != measurements.end() && entry->first.starts_with(stem);
-       ++entry) {
-    if (std::count(entry->first.begin(), entry->first.end(), '/') != 2) continue;
+  for (const auto& [key, deviation] : measurements) {
+    if (key.quantity != "equation_40_deviation" || !key.at || !key.detail.empty()) continue;
     ++runs;
-    if (std::abs(entry->second.value) <= peng_2014().value("equation_40_most")) within += 1.0;
+    if (std::abs(deviation.value) <= peng_2014().value("equation_40_most")) within += 1.0;
   }
   if (runs < 2) return;
   // Wald's interval with two successes and failures added (Agresti and Coull 1998, Am. Stat. 52, 119).
   const double trials = static_cast<double>(runs) + 4.0, share = (within + 2.0) / trials;
-  measurements["equation_40_share_within_10_percent/all"] = {within / static_cast<double>(runs),
-                                                             1.96 * std::sqrt(share * (1.0 - share) / trials), runs,
-                                                             "-", "runs of all systems"};
+  measurements[{"equation_40_share_within_10_percent", "all"}] = {within / static_cast<double>(runs),
+                                                                  1.96 * std::sqrt(share * (1.0 - share) / trials),
+                                                                  runs, "-", "runs of all systems"};
 }
 
 }  // namespace
 
-bool hangs_on_springs(std::string_view quantity) {
+bool depends_on_contact_stiffness(std::string_view quantity) {
   constexpr std::string_view at_voidage = "_at_voidage";
   if (quantity.ends_with(at_voidage)) quantity.remove_suffix(at_voidage.size());
   constexpr std::array names{"collision_frequency", "dimensionless_collision_frequency",
@@ -266,24 +250,19 @@ bool hangs_on_springs(std::string_view quantity) {
 }
 
 void take_contacts_from(const Measurements& own_springs, Measurements& measurements) {
-  /// Quantity and system of a key without variant.
-  const auto parts = [](const std::string& key) -> std::pair<std::string, std::string> {
-    static const std::regex plain("([^/]+)/([0-9]+in[0-9]+[WN])/[0-9.]+");
-    std::smatch match;
-    if (!std::regex_match(key, match, plain)) return {};
-    return {match[1], match[2]};
+  const auto of_contacts = [](const MeasureKey& key) {
+    return needs_run(key) && key.at && key.detail.empty() && depends_on_contact_stiffness(key.quantity);
   };
   std::map<std::string, int> velocities;
   for (const auto& [key, measured] : own_springs)
-    if (const auto [quantity, system] = parts(key); quantity == "collision_frequency") ++velocities[system];
-  const auto changes_over = [&](const std::string& key) {
-    const auto [quantity, system] = parts(key);
-    const auto found = velocities.find(system);
-    return found != velocities.end() && found->second >= 2 && hangs_on_springs(quantity);
+    if (of_contacts(key) && key.quantity == "collision_frequency") ++velocities[key.subject];
+  const auto changes_over = [&](const MeasureKey& key) {
+    const auto found = velocities.find(key.subject);
+    return found != velocities.end() && found->second >= 2 && of_contacts(key);
   };
   std::erase_if(measurements, [&](const auto& entry) { return changes_over(entry.first); });
   for (auto& [key, measured] : measurements)
-    if (hangs_on_springs(parts(key).first)) measured.springs = Springs::softened;
+    if (of_contacts(key)) measured.springs = Springs::softened;
   for (const auto& [key, measured] : own_springs) {
     if (!changes_over(key)) continue;
     measurements[key] = measured;
@@ -291,22 +270,9 @@ void take_contacts_from(const Measurements& own_springs, Measurements& measureme
   }
 }
 
-std::string measure_key(std::string_view quantity, std::string_view system, double superficial_velocity,
-                        std::string_view variant) {
-  std::string key = fmt::format("{}/{}/{}", quantity, system, velocity_text(superficial_velocity));
-  if (!variant.empty()) key += fmt::format("/{}", variant);
-  return key;
-}
-
-std::string run_key(const RunSpec& spec) {
-  std::string key = fmt::format("{}/{}", spec.system, velocity_text(spec.superficial_velocity));
-  if (!spec.variant.empty()) key += "/" + spec.variant;
-  return key;
-}
-
-bool needs_run(std::string_view key) {
-  static const std::regex system("[^/]+/([0-9]+in[0-9]+[WN](/.*)?|all)");
-  return std::regex_match(key.begin(), key.end(), system);
+bool needs_run(const MeasureKey& key) {
+  static const std::regex system("[0-9]+in[0-9]+[WN]|all");
+  return std::regex_match(key.subject, system);
 }
 
 Measurements measure_runs(const std::vector<FinishedRun>& runs) {

@@ -135,12 +135,6 @@ std::vector<std::string> planned_differences(const std::vector<RunSpec>& runs) {
 
 }  // namespace
 
-std::string velocity_text(double superficial_velocity) {
-  std::string text = fmt::format("{:.2f}", superficial_velocity);
-  if (std::abs(std::stod(text) - superficial_velocity) > 1e-9) text = fmt::format("{:g}", superficial_velocity);
-  return text;
-}
-
 std::vector<std::string> profile_names() { return Definitions(definitions_file()).names("profiles"); }
 
 Profile load_profile(const std::string& name) {

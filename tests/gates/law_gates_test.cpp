@@ -10,8 +10,7 @@ namespace slfb {
 namespace {
 
 bool needs_no_run(const Claim& claim) {
-  return !claim.measures.empty() && std::none_of(claim.measures.begin(), claim.measures.end(),
-                                                 [](const std::string& key) { return needs_run(key); });
+  return !claim.measures.empty() && std::ranges::none_of(claim.measures, needs_run);
 }
 
 TEST(Gates, EveryClaimThatNeedsNoRunHasAGateAndItHolds) {

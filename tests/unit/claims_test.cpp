@@ -22,6 +22,9 @@
 namespace slfb {
 namespace {
 
+/// The key of this text.
+MeasureKey key(std::string_view text) { return parse_measure_key(text); }
+
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
@@ -36,7 +39,7 @@ Claim made_up_claim() {
   claim.kind = StatementKind::value;
   claim.paper = claim.paper_upper = 10.0;
   claim.paper_band = Band{9.0, 11.0};
-  claim.measures = {"mass/6in5W/0.06"};
+  claim.measures = {key("mass/6in5W/0.06")};
   claim.regression_band = Band{9.5, 10.5};
   return claim;
 }
@@ -46,7 +49,8 @@ Evaluation evaluate_one(const Claim& claim, const Measurements& measurements) {
 }
 
 Measurements with(double value, double half_width) {
-  return {{"mass/6in5W/0.06", {.value = value, .half_width = half_width, .samples = 5, .unit = "kg", .origin = ""}}};
+  return {
+      {key("mass/6in5W/0.06"), {.value = value, .half_width = half_width, .samples = 5, .unit = "kg", .origin = ""}}};
 }
 
 TEST(Claims, ThereAreAtLeastSixtyWithUniqueIdsUnitsAndSources) {
@@ -75,8 +79,9 @@ TEST(Claims, MeasureKeysAreWellFormed) {
   const std::regex of_run("[a-z0-9_]+/(all|[3-6]in[3-6][WN](/([0-9]\\.[0-9]{2}(/[a-z0-9-]+)?|\\*))?)");
   const std::regex of_law("[a-z0-9_]+/[a-z0-9.-]+(/[a-z0-9.-]+)?");
   for (const Claim& claim : load_claims()) {
-    for (const std::string& key : claim.measures) {
-      EXPECT_TRUE(std::regex_match(key, needs_run(key) ? of_run : of_law)) << claim.id << ": " << key;
+    for (const MeasureKey& measure : claim.measures) {
+      const std::string text = to_string(measure);
+      EXPECT_TRUE(std::regex_match(text, needs_run(measure) ? of_run : of_law)) << claim.id << ": " << text;
     }
   }
 }
@@ -84,11 +89,11 @@ TEST(Claims, MeasureKeysAreWellFormed) {
 TEST(Claims, EveryRowOfTable2IsAClaim) {
   const auto claims = load_claims();
   for (const Table2Row& row : peng_2014().table2()) {
-    const std::string key = measure_key("classification_velocity", "6in5W", row.superficial_velocity);
+    const MeasureKey key = measure_key("classification_velocity", "6in5W", row.superficial_velocity);
     const auto found = std::find_if(claims.begin(), claims.end(), [&](const Claim& claim) {
       return claim.figure == "table2" && claim.measures == std::vector{key};
     });
-    ASSERT_NE(found, claims.end()) << key;
+    ASSERT_NE(found, claims.end()) << to_string(key);
     EXPECT_DOUBLE_EQ(found->paper, row.classification_velocity);
   }
 }
@@ -96,7 +101,7 @@ TEST(Claims, EveryRowOfTable2IsAClaim) {
 TEST(Claims, WithoutRunsNothingThatNeedsOneIsDecided) {
   for (const Evaluation& evaluation : evaluate(load_claims(), measure_without_runs())) {
     const auto& keys = evaluation.claim.measures;
-    if (std::none_of(keys.begin(), keys.end(), [](const std::string& key) { return needs_run(key); })) continue;
+    if (std::ranges::none_of(keys, needs_run)) continue;
     EXPECT_EQ(evaluation.verdict, Verdict::not_decidable) << evaluation.claim.id;
     EXPECT_EQ(evaluation.gate, Gate::none) << evaluation.claim.id;
     EXPECT_TRUE(evaluation.reason.starts_with("not yet simulated: ") ||
@@ -164,14 +169,15 @@ Claim trend_claim(StatementKind kind) {
   claim.kind = kind;
   claim.paper_band.reset();
   claim.regression_band.reset();
-  claim.measures = {"mass/6in5W/0.06", "mass/6in5W/0.07", "mass/6in5W/0.08"};
+  claim.measures = {key("mass/6in5W/0.06"), key("mass/6in5W/0.07"), key("mass/6in5W/0.08")};
   return claim;
 }
 
 Measurements three(double a, double b, double c, double half_width) {
   const auto measurement = [&](double value) { return Measurement{value, half_width, 5, "kg", ""}; };
-  return {
-      {"mass/6in5W/0.06", measurement(a)}, {"mass/6in5W/0.07", measurement(b)}, {"mass/6in5W/0.08", measurement(c)}};
+  return {{key("mass/6in5W/0.06"), measurement(a)},
+          {key("mass/6in5W/0.07"), measurement(b)},
+          {key("mass/6in5W/0.08"), measurement(c)}};
 }
 
 TEST(Trend, Rules) {
@@ -205,7 +211,7 @@ TEST(Gate, EveryLawGateGoesRedWhenItsMeasurementIsOff) {
     Measurements planted = laws;
     // One part in a hundred, or more where the band is wider.
     const double width = claim.regression_band->upper - claim.regression_band->lower;
-    for (const std::string& key : claim.measures) planted.at(key).value += 0.01 * std::abs(laws.at(key).value) + width;
+    for (const MeasureKey& key : claim.measures) planted.at(key).value += 0.01 * std::abs(laws.at(key).value) + width;
     if (claim.reduction == Reduction::single && claim.measures.size() == 1) {
       EXPECT_EQ(evaluate_one(claim, planted).gate, Gate::broken) << claim.id;
     }
@@ -219,9 +225,9 @@ TEST(Gate, ARunThatDoesNotExistBreaksNothing) { EXPECT_EQ(evaluate_one(made_up_c
 
 TEST(Reduction, OfSeveralMeasures) {
   Claim claim = made_up_claim();
-  claim.measures = {"mass/6in5W/*"};
+  claim.measures = {key("mass/6in5W/*")};
   Measurements values = three(8.0, 10.0, 12.0, 0.3);
-  values["mass/6in5W/0.09/variant"] = {100.0, 0.0, 1, "kg", ""};
+  values[key("mass/6in5W/0.09/variant")] = {100.0, 0.0, 1, "kg", ""};
   claim.reduction = Reduction::largest;
   EXPECT_DOUBLE_EQ(*evaluate_one(claim, values).ours, 12.0) << "variants do not count";
   claim.reduction = Reduction::smallest;
@@ -229,12 +235,12 @@ TEST(Reduction, OfSeveralMeasures) {
   claim.reduction = Reduction::relative_spread;
   EXPECT_DOUBLE_EQ(*evaluate_one(claim, values).ours, 0.4);
   claim.reduction = Reduction::ratio;
-  claim.measures = {"mass/6in5W/0.08", "mass/6in5W/0.06"};
+  claim.measures = {key("mass/6in5W/0.08"), key("mass/6in5W/0.06")};
   const Evaluation ratio = evaluate_one(claim, values);
   EXPECT_DOUBLE_EQ(*ratio.ours, 1.5);
   EXPECT_NEAR(ratio.interval->second - 1.5, 1.5 * std::hypot(0.3 / 12.0, 0.3 / 8.0), 1e-12);
-  values.at("mass/6in5W/0.06").value = -20.0;
-  claim.measures = {"mass/6in5W/*"};
+  values.at(key("mass/6in5W/0.06")).value = -20.0;
+  claim.measures = {key("mass/6in5W/*")};
   claim.reduction = Reduction::largest_magnitude;
   EXPECT_DOUBLE_EQ(*evaluate_one(claim, values).ours, 20.0);
 }
@@ -277,7 +283,7 @@ TEST(Junit, BrokenGatesAreFailuresAndMissingRunsAreSkipped) {
   broken.id = "fig99.broken";
   broken.regression_band = Band{20.0, 21.0};
   missing.id = "fig99.missing";
-  missing.measures = {"mass/6in5W/0.24"};
+  missing.measures = {key("mass/6in5W/0.24")};
   without.id = "fig99.without";
   without.regression_band.reset();
   const std::string text = claims_junit(evaluate({holds, broken, missing, without}, with(10.0, 0.1)));
@@ -329,7 +335,7 @@ TEST(ClaimFile, MistakesAreNamedWithLineAndClaim) {
 Evaluation gate_of_drops(const std::vector<double>& ours, const std::vector<double>& published) {
   const auto measured = [](const std::vector<double>& drops) {
     const ReplicateEstimate e = estimate_replicates(drops);
-    return Measurements{{"classification_velocity/6in5W/0.06", {e.mean, e.half_width, e.samples, "m/s", "a run"}}};
+    return Measurements{{key("classification_velocity/6in5W/0.06"), {e.mean, e.half_width, e.samples, "m/s", "a run"}}};
   };
   std::vector<Claim> claims = load_claims();
   std::erase_if(claims, [](const Claim& claim) { return claim.id != "table2.classification_velocity_0.06"; });
@@ -364,7 +370,7 @@ TEST(RunGates, RaiseAFalseAlarmOnceInAThousandTimes) {
     std::vector<double> drops(samples);
     for (double& value : drops) value = drop(random);
     const ReplicateEstimate e = estimate_replicates(drops);
-    return Measurements{{"classification_velocity/6in5W/0.06", {e.mean, e.half_width, e.samples, "m/s", "a run"}}};
+    return Measurements{{key("classification_velocity/6in5W/0.06"), {e.mean, e.half_width, e.samples, "m/s", "a run"}}};
   };
   for (int k = 0; k < 20000; ++k) {
     std::vector<Evaluation> evaluations(1);
@@ -380,11 +386,11 @@ TEST(RunGates, RaiseAFalseAlarmOnceInAThousandTimes) {
 TEST(Claims, DoNotCompareSpringsOfTwoKinds) {
   Claim rising = made_up_claim();
   rising.kind = StatementKind::increasing;
-  rising.measures = {"collision_frequency/a", "collision_frequency/b"};
-  Measurements values{{"collision_frequency/a", {1.0, 0.1, 3, "1/s", "", Springs::own}},
-                      {"collision_frequency/b", {2.0, 0.1, 3, "1/s", "", Springs::own}}};
+  rising.measures = {key("collision_frequency/a"), key("collision_frequency/b")};
+  Measurements values{{key("collision_frequency/a"), {1.0, 0.1, 3, "1/s", "", Springs::own}},
+                      {key("collision_frequency/b"), {2.0, 0.1, 3, "1/s", "", Springs::own}}};
   EXPECT_EQ(evaluate_one(rising, values).verdict, Verdict::reproduced);
-  values.at("collision_frequency/b").springs = Springs::softened;
+  values.at(key("collision_frequency/b")).springs = Springs::softened;
   EXPECT_EQ(evaluate_one(rising, values).verdict, Verdict::not_decidable);
 }
 

@@ -121,10 +121,11 @@ TEST(ForceBalance, HasAClosedFormForLinearDrag) {
 
 TEST(HomogeneousBed, AnswersUnderTheKeysOfTheSimulations) {
   const Measurements found = measure_homogeneous_bed(find_drag_law("di-felice-1994"));
-  const double fluidisation = found.at("minimum_fluidisation_velocity/6in5W").value;
+  const double fluidisation = found.at({"minimum_fluidisation_velocity", "6in5W"}).value;
   EXPECT_NEAR(homogeneous_bed(find_drag_law("di-felice-1994"), 1.0001 * fluidisation).voidage, paper::packed_voidage(),
               1e-4);
-  EXPECT_GT(found.at("classification_velocity/6in5W/0.10").value, found.at("classification_velocity/6in5W/0.06").value);
+  EXPECT_GT(found.at(measure_key("classification_velocity", "6in5W", 0.10)).value,
+            found.at(measure_key("classification_velocity", "6in5W", 0.06)).value);
 }
 
 Evaluation answer(double ours, double half_width) {
@@ -351,8 +352,9 @@ TEST(UsesOutsideRange, MinimumFluidisationIsOne) {
 TEST(UsesOutsideRange, AreThoseOfTheMeasuredFlow) {
   const drag::DragLawKernels law = drag::kernels_of<Planted<Nothing>>();  // Re up to 900
   const auto none = uses_outside_range(law, {});
-  const auto more = uses_outside_range(law, {{"terminal_reynolds/6in5W/0.06", {1234.0, 1.0, 3, "-", ""}},
-                                             {"terminal_reynolds/6in5W/0.08", {800.0, 1.0, 3, "-", ""}}});
+  const auto more =
+      uses_outside_range(law, {{measure_key("terminal_reynolds", "6in5W", 0.06), {1234.0, 1.0, 3, "-", ""}},
+                               {measure_key("terminal_reynolds", "6in5W", 0.08), {800.0, 1.0, 3, "-", ""}}});
   ASSERT_EQ(more.size(), none.size() + 1);
   EXPECT_NE(more.back().find("1234 at 0.06 m/s"), std::string::npos) << more.back();
 }

@@ -264,8 +264,8 @@ TEST(ContactFindings, ALawThatCannotMoveTwoBodiesIsNamed) {
 
 TEST(UsesOutsideRange, AreThoseOfTheStatedOverlap) {
   EXPECT_TRUE(uses_outside_range(compared("linear"), {}).empty());
-  const auto soft =
-      uses_outside_range(compared("hertz"), {{"maximum_overlap_mean/6in5W/0.06", {0.02, 0.001, 9, "-", ""}}});
+  const auto soft = uses_outside_range(
+      compared("hertz"), {{measure_key("maximum_overlap_mean", "6in5W", 0.06), {0.02, 0.001, 9, "-", ""}}});
   ASSERT_EQ(soft.size(), 3u);
   EXPECT_NE(soft[2].find("0.06 m/s"), std::string::npos) << soft[2];
   Contact hard = sound_contact();

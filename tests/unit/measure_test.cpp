@@ -12,6 +12,9 @@
 namespace slfb {
 namespace {
 
+/// The key of this text.
+MeasureKey key(std::string_view text) { return parse_measure_key(text); }
+
 constexpr double column_diameter = 0.05;
 constexpr int bed_count = 3600;
 
@@ -93,9 +96,7 @@ FinishedRun made_up_run(double velocity, const std::string& name, double voidage
   return run;
 }
 
-TEST(MeasureKey, HasTwoDecimalsAndAnOptionalVariant) {
-  EXPECT_EQ(measure_key("voidage_bed_top", "6in5W", 0.1), "voidage_bed_top/6in5W/0.10");
-  EXPECT_EQ(measure_key("voidage_bed_top", "6in5W", 0.1, "wen-yu-1966"), "voidage_bed_top/6in5W/0.10/wen-yu-1966");
+TEST(RunKey, HasTwoDecimalsAndAnOptionalVariant) {
   RunSpec spec;
   spec.system = "6in3N";
   spec.superficial_velocity = 0.04;
@@ -108,19 +109,19 @@ TEST(MeasureKey, HasTwoDecimalsAndAnOptionalVariant) {
 }
 
 TEST(MeasureKey, TellsRunsFromLaws) {
-  EXPECT_TRUE(needs_run("pressure_drop/6in5W/0.06"));
-  EXPECT_TRUE(needs_run("pressure_drop/6in5W/*"));
-  EXPECT_TRUE(needs_run("pressure_plateau/6in5W"));
-  EXPECT_TRUE(needs_run("equation_40_share_within_10_percent/all"));
-  EXPECT_FALSE(needs_run("homogeneous_voidage/wen-yu-1966/0.06"));
-  EXPECT_FALSE(needs_run("terminal_velocity/steel-6mm-water"));
+  EXPECT_TRUE(needs_run(key("pressure_drop/6in5W/0.06")));
+  EXPECT_TRUE(needs_run(key("pressure_drop/6in5W/*")));
+  EXPECT_TRUE(needs_run(key("pressure_plateau/6in5W")));
+  EXPECT_TRUE(needs_run(key("equation_40_share_within_10_percent/all")));
+  EXPECT_FALSE(needs_run(key("homogeneous_voidage/wen-yu-1966/0.06")));
+  EXPECT_FALSE(needs_run(key("terminal_velocity/steel-6mm-water")));
 }
 
 TEST(MeasureRuns, WithoutRunsThereIsNothing) { EXPECT_TRUE(measure_runs({}).empty()); }
 
 TEST(MeasureRuns, NumbersOfAKnownRun) {
   const auto measured = measure_runs({made_up_run(0.06, "a", 0.46, 1450.0, {0.09, 0.10, 0.11})});
-  const auto at = [&](const std::string& quantity) { return measured.at(quantity + "/6in5W/0.06"); };
+  const auto at = [&](const std::string& quantity) { return measured.at(measure_key(quantity, "6in5W", 0.06)); };
   EXPECT_NEAR(at("voidage_centre_of_mass").value, 0.46, 1e-12);
   EXPECT_NEAR(at("voidage_bed_top").value, 0.46, 1e-12);
   EXPECT_NEAR(at("pressure_drop").value, 1450.0, 1e-9) << "only the bed before the drop counts";
@@ -150,11 +151,11 @@ TEST(MeasureRuns, NumbersOfAKnownRun) {
 // stand under the same key: they say nothing of times.
 TEST(MeasureRuns, TimesSinceTheReleaseAreThoseOfThePapersHeight) {
   const auto low = made_up_run(0.06, "low", 0.46, 1450.0, {0.09, 0.11});
-  EXPECT_FALSE(measure_runs({low}).contains("time_to_bottom/6in5W/0.06"));
+  EXPECT_FALSE(measure_runs({low}).contains(key("time_to_bottom/6in5W/0.06")));
   const auto measured = measure_runs({low, made_up_run(0.06, "high", 0.46, 1450.0, {0.08, 0.10}, 0.997)});
-  EXPECT_NEAR(measured.at("classification_intercept/6in5W/0.06").value, 0.997 + 20.0 * 0.09, 1e-6);
-  EXPECT_NEAR(measured.at("time_to_bottom/6in5W/0.06").value, 0.5 * (0.994 / 0.08 + 0.994 / 0.10), 2e-3);
-  EXPECT_NEAR(measured.at("classification_velocity/6in5W/0.06").value, 0.095, 1e-9);
+  EXPECT_NEAR(measured.at(key("classification_intercept/6in5W/0.06")).value, 0.997 + 20.0 * 0.09, 1e-6);
+  EXPECT_NEAR(measured.at(key("time_to_bottom/6in5W/0.06")).value, 0.5 * (0.994 / 0.08 + 0.994 / 0.10), 2e-3);
+  EXPECT_NEAR(measured.at(key("classification_velocity/6in5W/0.06")).value, 0.095, 1e-9);
 }
 
 TEST(MeasureRuns, ADropThatIsCutShortSaysNothingAboutLaterTimes) {
@@ -162,9 +163,9 @@ TEST(MeasureRuns, ADropThatIsCutShortSaysNothingAboutLaterTimes) {
   DropSeries& drop = run.result.drops.front();
   drop.bottom_time = -1.0;  // followed for about 10 s
   const auto measured = measure_runs({run});
-  EXPECT_FALSE(measured.contains("falling_after_15_s/6in5W/0.05"));
-  EXPECT_DOUBLE_EQ(measured.at("bottom_fraction/6in5W/0.05").value, 0.0);
-  EXPECT_FALSE(measured.contains("time_to_bottom/6in5W/0.05"));
+  EXPECT_FALSE(measured.contains(key("falling_after_15_s/6in5W/0.05")));
+  EXPECT_DOUBLE_EQ(measured.at(key("bottom_fraction/6in5W/0.05")).value, 0.0);
+  EXPECT_FALSE(measured.contains(key("time_to_bottom/6in5W/0.05")));
 }
 
 // Two spheres that are not at the bottom after 15 s: one sinks at 5 mm/s, the other has come to rest on the bed.
@@ -173,24 +174,24 @@ TEST(MeasureRuns, ASphereThatRestsDoesNotFall) {
   DropSeries& drop = run.result.drops.front();
   ASSERT_GT(drop.time.back(), 15.0);
   drop.bottom_time = -1.0;
-  EXPECT_DOUBLE_EQ(measure_runs({run}).at("falling_after_15_s/6in5W/0.05").value, 1.0);
+  EXPECT_DOUBLE_EQ(measure_runs({run}).at(key("falling_after_15_s/6in5W/0.05")).value, 1.0);
   for (double& z : drop.z) z = std::max(z, 0.215);
   const auto resting = measure_runs({run});
-  EXPECT_DOUBLE_EQ(resting.at("falling_after_15_s/6in5W/0.05").value, 0.0);
-  EXPECT_DOUBLE_EQ(resting.at("bottom_fraction/6in5W/0.05").value, 0.0);
+  EXPECT_DOUBLE_EQ(resting.at(key("falling_after_15_s/6in5W/0.05")).value, 0.0);
+  EXPECT_DOUBLE_EQ(resting.at(key("bottom_fraction/6in5W/0.05")).value, 0.0);
 }
 
 TEST(MeasureRuns, ASingleDropHasNoInterval) {
   const auto measured = measure_runs({made_up_run(0.06, "a", 0.46, 1450.0, {0.10})});
-  EXPECT_TRUE(std::isnan(measured.at("classification_velocity/6in5W/0.06").half_width));
+  EXPECT_TRUE(std::isnan(measured.at(key("classification_velocity/6in5W/0.06")).half_width));
 }
 
 TEST(MeasureRuns, RunsOfOneKeyAreReplicates) {
   const auto measured =
       measure_runs({made_up_run(0.06, "a", 0.46, 1440.0, {0.10}), made_up_run(0.06, "b", 0.46, 1460.0, {0.12})});
-  EXPECT_NEAR(measured.at("pressure_drop/6in5W/0.06").value, 1450.0, 1e-9);
-  EXPECT_GT(measured.at("pressure_drop/6in5W/0.06").half_width, 0.0);
-  EXPECT_EQ(measured.at("classification_velocity/6in5W/0.06").samples, 2u);
+  EXPECT_NEAR(measured.at(key("pressure_drop/6in5W/0.06")).value, 1450.0, 1e-9);
+  EXPECT_GT(measured.at(key("pressure_drop/6in5W/0.06")).half_width, 0.0);
+  EXPECT_EQ(measured.at(key("classification_velocity/6in5W/0.06")).samples, 2u);
 }
 
 // What a published run lost by thinning stands in its summary: its numbers are those of the whole series.
@@ -202,9 +203,9 @@ TEST(MeasureRuns, ASummaryStandsForItsSeries) {
   thinned.result.drops.clear();
   const auto measured = measure_runs({thinned});
   ASSERT_EQ(measured.size(), whole.size());
-  for (const auto& [key, measurement] : whole) {
-    EXPECT_EQ(measured.at(key).value, measurement.value) << key;
-    EXPECT_EQ(measured.at(key).samples, measurement.samples) << key;
+  for (const auto& [name, measurement] : whole) {
+    EXPECT_EQ(measured.at(name).value, measurement.value) << to_string(name);
+    EXPECT_EQ(measured.at(name).samples, measurement.samples) << to_string(name);
   }
 }
 
@@ -214,7 +215,7 @@ TEST(MeasureRuns, BedsAreWeightedByTheirIntervals) {
   FinishedRun a = made_up_run(0.06, "a", 0.46, 1440.0, {}), b = made_up_run(0.06, "b", 0.46, 1440.0, {});
   a.summary.emplace().bed["pressure_drop"] = {1450.0, 2.0, 1.0, 50.0, 0};
   b.summary.emplace().bed["pressure_drop"] = {1456.0, 1.0, 1.0, 50.0, 0};
-  const Measurement pooled = measure_runs({a, b}).at("pressure_drop/6in5W/0.06");
+  const Measurement pooled = measure_runs({a, b}).at(key("pressure_drop/6in5W/0.06"));
   EXPECT_NEAR(pooled.value, 1454.8, 1e-9);
   // χ² = (4.8/1)² + (1.2/0.5)² = 28.8 of one degree of freedom, over the plain interval √(4/5).
   EXPECT_NEAR(pooled.half_width, std::sqrt(28.8) * std::sqrt(0.8), 1e-9);
@@ -225,35 +226,35 @@ TEST(MeasureRuns, TheSameRunFromTwoPlacesCountsOnce) {
   const FinishedRun here = made_up_run(0.06, "a", 0.46, 1450.0, {0.10});
   FinishedRun published = here;
   published.published = true;
-  EXPECT_EQ(measure_runs({here, published}).at("classification_velocity/6in5W/0.06").samples, 1u);
+  EXPECT_EQ(measure_runs({here, published}).at(key("classification_velocity/6in5W/0.06")).samples, 1u);
 }
 
 TEST(MeasureRuns, AStaleRunCountsOnlyAlone) {
   FinishedRun stale = made_up_run(0.06, "old", 0.50, 1400.0, {0.20});
   stale.stale = true;
   const FinishedRun current = made_up_run(0.06, "new", 0.46, 1450.0, {0.10});
-  EXPECT_NEAR(measure_runs({stale, current}).at("pressure_drop/6in5W/0.06").value, 1450.0, 1e-9);
-  EXPECT_NEAR(measure_runs({stale}).at("pressure_drop/6in5W/0.06").value, 1400.0, 1e-9);
+  EXPECT_NEAR(measure_runs({stale, current}).at(key("pressure_drop/6in5W/0.06")).value, 1450.0, 1e-9);
+  EXPECT_NEAR(measure_runs({stale}).at(key("pressure_drop/6in5W/0.06")).value, 1400.0, 1e-9);
 }
 
 TEST(MeasureRuns, VariantsStandApart) {
   FinishedRun variant = made_up_run(0.06, "v", 0.50, 1400.0, {0.20});
   variant.spec.variant = "di-felice-1994";
   const auto measured = measure_runs({made_up_run(0.06, "a", 0.46, 1450.0, {0.10}), variant});
-  EXPECT_NEAR(measured.at("voidage_centre_of_mass/6in5W/0.06").value, 0.46, 1e-12);
-  EXPECT_NEAR(measured.at("voidage_centre_of_mass/6in5W/0.06/di-felice-1994").value, 0.50, 1e-12);
+  EXPECT_NEAR(measured.at(key("voidage_centre_of_mass/6in5W/0.06")).value, 0.46, 1e-12);
+  EXPECT_NEAR(measured.at(key("voidage_centre_of_mass/6in5W/0.06/di-felice-1994")).value, 0.50, 1e-12);
 }
 
 TEST(MeasureRuns, QuantitiesAtAVoidageLieOnALineBetweenTheRuns) {
   // Both runs have 100 collisions a second and a drag that does not depend on the voidage: so has the line.
   const auto flat = measure_runs(
       {made_up_run(0.06, "a", 0.44, 1450.0, {0.10, 0.11}), made_up_run(0.07, "b", 0.48, 1450.0, {0.10, 0.12})});
-  EXPECT_NEAR(flat.at("collision_frequency_at_voidage/6in5W/0.46").value, 100.0, 1e-6);
-  EXPECT_FALSE(flat.contains("collision_frequency_at_voidage/6in5W/0.58")) << "no run is near";
+  EXPECT_NEAR(flat.at(key("collision_frequency_at_voidage/6in5W/0.46")).value, 100.0, 1e-6);
+  EXPECT_FALSE(flat.contains(key("collision_frequency_at_voidage/6in5W/0.58"))) << "no run is near";
   // A single run stands for a voidage that it misses by less than 0.01, and for no other.
   const auto single = measure_runs({made_up_run(0.06, "a", 0.455, 1450.0, {0.10, 0.11})});
-  EXPECT_TRUE(single.contains("drag_ratio_at_voidage/6in5W/0.46"));
-  EXPECT_FALSE(single.contains("drag_ratio_at_voidage/6in5W/0.52"));
+  EXPECT_TRUE(single.contains(key("drag_ratio_at_voidage/6in5W/0.46")));
+  EXPECT_FALSE(single.contains(key("drag_ratio_at_voidage/6in5W/0.52")));
 }
 
 TEST(MeasureRuns, QuantitiesAtAVoidageInterpolate) {
@@ -261,7 +262,7 @@ TEST(MeasureRuns, QuantitiesAtAVoidageInterpolate) {
   for (double& contacts : low.result.drops.front().contacts) contacts = 1.0;
   for (double& contacts : high.result.drops.front().contacts) contacts = 4.0;
   // A third of the way from 0.44 to 0.50.
-  EXPECT_NEAR(measure_runs({low, high}).at("mean_contacts_at_voidage/6in5W/0.46").value, 2.0, 1e-9);
+  EXPECT_NEAR(measure_runs({low, high}).at(key("mean_contacts_at_voidage/6in5W/0.46")).value, 2.0, 1e-9);
 }
 
 TEST(MeasureRuns, ShareOfRunsWithinTenPercentOfEquation40) {
@@ -269,8 +270,8 @@ TEST(MeasureRuns, ShareOfRunsWithinTenPercentOfEquation40) {
   const auto measured =
       measure_runs({made_up_run(0.06, "a", 0.46, 1450.0, {0.10}), made_up_run(0.20, "b", 0.763, 1450.0, {0.10}),
                     made_up_run(0.21, "c", 0.760, 1450.0, {0.10})});
-  EXPECT_NEAR(measured.at("equation_40_share_within_10_percent/all").value, 2.0 / 3.0, 1e-12);
-  EXPECT_GT(measured.at("equation_40_share_within_10_percent/all").half_width, 0.3) << "three runs say little";
+  EXPECT_NEAR(measured.at(key("equation_40_share_within_10_percent/all")).value, 2.0 / 3.0, 1e-12);
+  EXPECT_GT(measured.at(key("equation_40_share_within_10_percent/all")).half_width, 0.3) << "three runs say little";
 }
 
 TEST(MeasureRuns, MinimumFluidisationIsTheCrossingOfTheTwoLines) {
@@ -278,10 +279,10 @@ TEST(MeasureRuns, MinimumFluidisationIsTheCrossingOfTheTwoLines) {
   const auto measured =
       measure_runs({made_up_run(0.03, "a", 0.40, line(0.03), {}), made_up_run(0.04, "b", 0.40, line(0.04), {}),
                     made_up_run(0.06, "c", 0.46, 1500.0, {}), made_up_run(0.10, "d", 0.56, 1540.0, {})});
-  EXPECT_NEAR(measured.at("packed_line_slope/6in5W").value, 51750.0, 1e-6);
-  EXPECT_NEAR(measured.at("packed_line_intercept/6in5W").value, -676.42, 1e-6);
-  EXPECT_NEAR(measured.at("pressure_plateau/6in5W").value, 1520.0, 1e-9);
-  EXPECT_NEAR(measured.at("minimum_fluidisation_velocity/6in5W").value, 0.042443, 1e-6);
+  EXPECT_NEAR(measured.at(key("packed_line_slope/6in5W")).value, 51750.0, 1e-6);
+  EXPECT_NEAR(measured.at(key("packed_line_intercept/6in5W")).value, -676.42, 1e-6);
+  EXPECT_NEAR(measured.at(key("pressure_plateau/6in5W")).value, 1520.0, 1e-9);
+  EXPECT_NEAR(measured.at(key("minimum_fluidisation_velocity/6in5W")).value, 0.042443, 1e-6);
 }
 
 TEST(MeasureRuns, EarlyRiseOfTable2) {
@@ -289,22 +290,22 @@ TEST(MeasureRuns, EarlyRiseOfTable2) {
                                       made_up_run(0.09, "b", 0.54, 1450.0, {0.229, 0.229}),
                                       made_up_run(0.24, "c", 0.79, 1450.0, {0.422, 0.422})});
   // (0.132/0.03) / (0.193/0.15), to the accuracy of the sampled lines.
-  EXPECT_NEAR(measured.at("classification_velocity_rise_ratio/6in5W").value, 3.4197, 1e-3);
+  EXPECT_NEAR(measured.at(key("classification_velocity_rise_ratio/6in5W")).value, 3.4197, 1e-3);
 }
 
 TEST(MeasureLaws, HandComputedNumbers) {
   const auto laws = measure_laws();
-  EXPECT_NEAR(laws.at("minimum_fluidisation_velocity/equation-36").value, 0.0423, 0.00005);
-  EXPECT_NEAR(laws.at("buoyancy_ratio/steel-water").value, 998.2 / 7800.0, 1e-12);
-  EXPECT_NEAR(laws.at("particle_count/3mm").value, 16668.8, 0.1);
-  EXPECT_NEAR(laws.at("packed_pressure/ergun-1952/0.03").value, 792.0, 1.0);
-  EXPECT_NEAR(laws.at("collision_force/van-der-wielen-1996-force/0.06").value, 0.4655, 1e-4);
-  EXPECT_NEAR(laws.at("dimensionless_collision_frequency/simonin-1991/0.42").value, 30.57, 0.01);
-  EXPECT_NEAR(laws.at("steps_per_contact/glass-5mm-glass-5mm").value, 5.37, 0.01);
-  for (const auto& [key, measurement] : laws) {
-    EXPECT_TRUE(std::isfinite(measurement.value)) << key;
-    EXPECT_FALSE(measurement.unit.empty()) << key;
-    EXPECT_FALSE(needs_run(key)) << key;
+  EXPECT_NEAR(laws.at(key("minimum_fluidisation_velocity/equation-36")).value, 0.0423, 0.00005);
+  EXPECT_NEAR(laws.at(key("buoyancy_ratio/steel-water")).value, 998.2 / 7800.0, 1e-12);
+  EXPECT_NEAR(laws.at(key("particle_count/3mm")).value, 16668.8, 0.1);
+  EXPECT_NEAR(laws.at(key("packed_pressure/ergun-1952/0.03")).value, 792.0, 1.0);
+  EXPECT_NEAR(laws.at(key("collision_force/van-der-wielen-1996-force/0.06")).value, 0.4655, 1e-4);
+  EXPECT_NEAR(laws.at(key("dimensionless_collision_frequency/simonin-1991/0.42")).value, 30.57, 0.01);
+  EXPECT_NEAR(laws.at(key("steps_per_contact/glass-5mm-glass-5mm")).value, 5.37, 0.01);
+  for (const auto& [name, measurement] : laws) {
+    EXPECT_TRUE(std::isfinite(measurement.value)) << to_string(name);
+    EXPECT_FALSE(measurement.unit.empty()) << to_string(name);
+    EXPECT_FALSE(needs_run(name)) << to_string(name);
   }
 }
 
@@ -312,31 +313,32 @@ TEST(MeasureLaws, HandComputedNumbers) {
 // kind would make a step in a trend. What does not hang on the springs, variants and other systems stay as they are.
 TEST(OwnSprings, CountTheContactsOfAWholeSystem) {
   const auto of = [](double value) { return Measurement{value, 1.0, 3, "1/s", "run"}; };
-  const Measurements soft{{"collision_frequency/6in5W/0.06", of(10)},
-                          {"collision_frequency/6in5W/0.08", of(20)},
-                          {"collision_frequency/6in5W/0.10", of(30)},
-                          {"collision_frequency/6in5W/0.10/di-felice-1994", of(31)},
-                          {"collision_frequency_at_voidage/6in5W/0.46", of(11)},
-                          {"collision_frequency/6in3W/0.10", of(70)},
-                          {"classification_velocity/6in5W/0.10", of(0.2)}};
-  Measurements stiff{{"collision_frequency/6in5W/0.06", of(15)}, {"classification_velocity/6in5W/0.06", of(0.1)}};
+  const Measurements soft{{key("collision_frequency/6in5W/0.06"), of(10)},
+                          {key("collision_frequency/6in5W/0.08"), of(20)},
+                          {key("collision_frequency/6in5W/0.10"), of(30)},
+                          {key("collision_frequency/6in5W/0.10/di-felice-1994"), of(31)},
+                          {key("collision_frequency_at_voidage/6in5W/0.46"), of(11)},
+                          {key("collision_frequency/6in3W/0.10"), of(70)},
+                          {key("classification_velocity/6in5W/0.10"), of(0.2)}};
+  Measurements stiff{{key("collision_frequency/6in5W/0.06"), of(15)},
+                     {key("classification_velocity/6in5W/0.06"), of(0.1)}};
   Measurements taken = soft;
   take_contacts_from(stiff, taken);
-  EXPECT_EQ(taken.at("collision_frequency/6in5W/0.06").value, 10) << "one velocity is not enough";
-  EXPECT_FALSE(taken.contains("classification_velocity/6in5W/0.06"));
+  EXPECT_EQ(taken.at(key("collision_frequency/6in5W/0.06")).value, 10) << "one velocity is not enough";
+  EXPECT_FALSE(taken.contains(key("classification_velocity/6in5W/0.06")));
 
-  stiff["collision_frequency/6in5W/0.10"] = of(45);
+  stiff[key("collision_frequency/6in5W/0.10")] = of(45);
   take_contacts_from(stiff, taken);
-  EXPECT_EQ(taken.at("collision_frequency/6in5W/0.06").value, 15);
-  EXPECT_EQ(taken.at("collision_frequency/6in5W/0.10").value, 45);
-  EXPECT_FALSE(taken.contains("collision_frequency/6in5W/0.08")) << "of the soft kind";
-  EXPECT_FALSE(taken.contains("collision_frequency_at_voidage/6in5W/0.46")) << "of the soft kind";
-  EXPECT_EQ(taken.at("collision_frequency/6in5W/0.10/di-felice-1994").value, 31);
-  EXPECT_EQ(taken.at("collision_frequency/6in3W/0.10").value, 70);
-  EXPECT_EQ(taken.at("collision_frequency/6in3W/0.10").springs, Springs::softened);
-  EXPECT_EQ(taken.at("collision_frequency/6in5W/0.10").springs, Springs::own);
-  EXPECT_EQ(taken.at("classification_velocity/6in5W/0.10").springs, Springs::any);
-  EXPECT_EQ(taken.at("classification_velocity/6in5W/0.10").value, 0.2);
+  EXPECT_EQ(taken.at(key("collision_frequency/6in5W/0.06")).value, 15);
+  EXPECT_EQ(taken.at(key("collision_frequency/6in5W/0.10")).value, 45);
+  EXPECT_FALSE(taken.contains(key("collision_frequency/6in5W/0.08"))) << "of the soft kind";
+  EXPECT_FALSE(taken.contains(key("collision_frequency_at_voidage/6in5W/0.46"))) << "of the soft kind";
+  EXPECT_EQ(taken.at(key("collision_frequency/6in5W/0.10/di-felice-1994")).value, 31);
+  EXPECT_EQ(taken.at(key("collision_frequency/6in3W/0.10")).value, 70);
+  EXPECT_EQ(taken.at(key("collision_frequency/6in3W/0.10")).springs, Springs::softened);
+  EXPECT_EQ(taken.at(key("collision_frequency/6in5W/0.10")).springs, Springs::own);
+  EXPECT_EQ(taken.at(key("classification_velocity/6in5W/0.10")).springs, Springs::any);
+  EXPECT_EQ(taken.at(key("classification_velocity/6in5W/0.10")).value, 0.2);
 }
 
 }  // namespace

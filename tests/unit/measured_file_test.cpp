@@ -59,8 +59,8 @@ TEST_F(MeasuredFile, IsHeldAgainstThePaper) {
 TEST_F(MeasuredFile, SaysNothingOfWhatItDoesNotHave) {
   for (const Evaluation& evaluation : evaluate_measured(claims_, load(with_value(0.214)))) {
     const auto& measures = evaluation.claim.measures;
-    EXPECT_TRUE(std::ranges::any_of(measures, [](const std::string& measure) {
-      return measure.starts_with("classification_velocity/6in5W/");
+    EXPECT_TRUE(std::ranges::any_of(measures, [](const MeasureKey& measure) {
+      return measure.quantity == "classification_velocity" && measure.subject == "6in5W";
     })) << evaluation.claim.id;
     if (measures.size() > 1) {
       EXPECT_EQ(evaluation.verdict, Verdict::not_decidable) << evaluation.claim.id;

@@ -70,7 +70,7 @@ std::vector<std::string> needs(const Profile& profile) {
 struct Ratio {
   double value = std::nan(""), half_width = std::nan("");
 };
-Ratio ratio_of(const Measurements& ours, const Measurements& base, const std::string& key) {
+Ratio ratio_of(const Measurements& ours, const Measurements& base, const MeasureKey& key) {
   const auto a = ours.find(key), b = base.find(key);
   if (a == ours.end() || b == base.end() || !(std::fabs(b->second.value) > 0.0)) return {};
   const double ratio = a->second.value / b->second.value;
@@ -160,9 +160,9 @@ FigureOutput draw(const FigureContext& outer) {
 /// springs, so that what hangs on these would show two changes.
 bool is_of_this_bed(const Claim& claim) {
   return !claim.measures.empty() && std::all_of(claim.measures.begin(), claim.measures.end(), [](const auto& measure) {
-    if (hangs_on_springs(measure.substr(0, measure.find('/')))) return false;
+    if (depends_on_contact_stiffness(measure.quantity)) return false;
     return std::any_of(velocities.begin(), velocities.end(), [&](double velocity) {
-      return measure.ends_with(fmt::format("/{}/{:.2f}", system_name, velocity));
+      return measure == measure_key(measure.quantity, system_name, velocity);
     });
   });
 }

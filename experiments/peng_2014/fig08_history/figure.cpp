@@ -142,7 +142,7 @@ std::string panels(const DataTable& history, const DataTable& fall, double end, 
 
 FigureOutput draw(const FigureContext& context) {
   const auto keys = needs(context.profile);
-  const std::string key = measure_key("", "6in5W", superficial_velocity).substr(1);
+  const std::string key = run_key("6in5W", superficial_velocity);
   const FinishedRun* run = find_run(context, key);
   if (run != nullptr && run->result.drops.empty()) run = nullptr;
   FigureOutput output{"fig08", {}, "", run_notes(context, keys)};

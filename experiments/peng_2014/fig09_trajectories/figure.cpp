@@ -25,7 +25,7 @@ std::vector<std::string> needs(const Profile& profile) {
 /// the window. Returns whether there is any.
 bool tabulate(const FigureContext& context, double velocity, DataTable& samples, DataTable& fits) {
   int number = 0;
-  const std::string key = measure_key("", "6in5W", velocity).substr(1);
+  const std::string key = run_key("6in5W", velocity);
   for (const auto& run : context.runs) {
     if (run_key(run.spec) != key) continue;
     for (const auto& drop : run.result.drops) {

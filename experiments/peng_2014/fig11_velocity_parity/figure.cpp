@@ -47,12 +47,12 @@ FigureOutput draw(const FigureContext& context) {
   for (const char* end : {"lower", "upper"}) laws.columns.push_back(fmt::format("grbavcic-2009 {} [m/s]", end));
   for (const auto& row : table2) {
     std::vector<double> values{row.superficial_velocity, row.classification_velocity};
-    const auto value = [&](const std::string& key) {
-      return context.measurements.at(fmt::format("{}/{:.2f}", key, row.superficial_velocity)).value;
+    const auto value = [&](const char* quantity, const char* law) {
+      return context.measurements.at(measure_key(quantity, law, row.superficial_velocity)).value;
     };
-    for (const Model& model : models) values.push_back(value(fmt::format("classification_velocity/{}", model.law)));
-    values.push_back(value("classification_velocity_lower/grbavcic-2009"));
-    values.push_back(value("classification_velocity_upper/grbavcic-2009"));
+    for (const Model& model : models) values.push_back(value("classification_velocity", model.law));
+    values.push_back(value("classification_velocity_lower", "grbavcic-2009"));
+    values.push_back(value("classification_velocity_upper", "grbavcic-2009"));
     laws.rows.push_back(values);
   }
   std::sort(laws.rows.begin(), laws.rows.end(), [](const auto& a, const auto& b) { return a[1] < b[1]; });

@@ -63,10 +63,11 @@ FigureOutput draw(const FigureContext& context) {
   std::size_t place = 0;
   for (const auto& point : printed) {
     const std::string tag = fmt::format("{:.2f}", point.superficial_velocity);
-    const std::string key = measure_key("", "6in5W", point.superficial_velocity).substr(1);
+    const std::string key = run_key("6in5W", point.superficial_velocity);
     const FinishedRun* run = find_run(context, key);
     if (run != nullptr && run->result.plane.voidage.empty()) run = nullptr;
-    const auto measured = context.measurements.find("voidage_centre_of_mass/" + key);
+    const auto measured =
+        context.measurements.find(measure_key("voidage_centre_of_mass", "6in5W", point.superficial_velocity));
     std::string ours = "–";
     if (measured != context.measurements.end()) {
       ours = fmt::format("{:.3f}", measured->second.value);

@@ -30,7 +30,7 @@ std::optional<std::pair<const FinishedRun*, double>> nearest_run(const FigureCon
   for (const auto& point : measured_points(context.measurements, "voidage_centre_of_mass", system_name)) {
     if (std::fabs(point.value - voidage) > nearest_enough) continue;
     if (nearest && std::fabs(nearest->second - voidage) <= std::fabs(point.value - voidage)) continue;
-    const FinishedRun* run = find_run(context, measure_key("", system_name, point.superficial_velocity).substr(1));
+    const FinishedRun* run = find_run(context, run_key(system_name, point.superficial_velocity));
     if (run != nullptr && !run->result.snapshots.empty() && !run->result.drops.empty()) nearest = {run, point.value};
   }
   return nearest;

@@ -75,15 +75,15 @@ FigureOutput draw(const FigureContext& context) {
   for (std::size_t place = 0; place < panels.size(); ++place) {
     const Panel& panel = panels[place];
     const std::string tag = velocity_text(panel.superficial_velocity);
-    const std::string key = fmt::format("{}/{}", system_name, tag);
-    const FinishedRun* run = find_contact_run(context, own_springs, key);
+    const FinishedRun* run = find_contact_run(context, own_springs, run_key(system_name, panel.superficial_velocity));
     std::string plot, ours = "–", sampling;
-    if (const auto voidage = context.measurements.find("voidage_centre_of_mass/" + key);
+    if (const auto voidage =
+            context.measurements.find(measure_key("voidage_centre_of_mass", system_name, panel.superficial_velocity));
         voidage != context.measurements.end())
       ours = fmt::format("{:.2f}", voidage->second.value);
     double end = 1.0;
     if (run != nullptr && !run->result.drops.empty()) {
-      const auto top = context.measurements.find("bed_top/" + key);
+      const auto top = context.measurements.find(measure_key("bed_top", system_name, panel.superficial_velocity));
       const DataTable table =
           force_history(*run, top == context.measurements.end() ? run->result.packed_height : top->second.value,
                         "fig21_force_" + tag);

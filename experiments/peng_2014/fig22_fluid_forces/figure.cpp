@@ -40,7 +40,7 @@ FigureOutput draw(const FigureContext& context) {
   DataTable laws{"fig22_mean_field_drag", {"voidage [-]", "Gidaspow 1994 [-]", "Wen and Yu 1966 [-]"}, {}};
   for (const auto& row : printed.table2()) {
     const auto law = [&](const char* name) {
-      return context.measurements.at(fmt::format("drag_ratio/{}/{:.2f}", name, row.superficial_velocity)).value;
+      return context.measurements.at(measure_key("drag_ratio", name, row.superficial_velocity)).value;
     };
     laws.rows.push_back(
         {paper::steel_in_glass(row.superficial_velocity).voidage, law("gidaspow-1994"), law("wen-yu-1966")});

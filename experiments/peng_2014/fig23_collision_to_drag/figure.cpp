@@ -46,7 +46,7 @@ FigureOutput draw(const FigureContext& context) {
   for (const auto& row : printed.table2()) {
     const double voidage = paper::steel_in_glass(row.superficial_velocity).voidage;
     const auto drag = [&](const char* name) {
-      return context.measurements.at(fmt::format("drag_ratio/{}/{:.2f}", name, row.superficial_velocity)).value;
+      return context.measurements.at(measure_key("drag_ratio", name, row.superficial_velocity)).value;
     };
     laws.rows.push_back(
         {voidage, equation_40(voidage) / drag("gidaspow-1994"), equation_40(voidage) / drag("wen-yu-1966")});
