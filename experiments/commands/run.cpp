@@ -19,7 +19,7 @@
 #include "experiments/runs/run_estimate.hpp"
 #include "experiments/runs/run_files.hpp"
 #include "solver/coupling/drag_relaxation.hpp"
-#include "solver/scene/scene_file.hpp"
+#include "solver/laws/scene_file.hpp"
 #include "solver/support/folders.hpp"
 
 namespace slfb {

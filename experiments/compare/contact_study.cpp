@@ -41,7 +41,7 @@ double effective_mass(const Impact& impact) {
 
 double effective_radius(const Impact& impact) {
   const double radius = 0.5 * impact.first.diameter;
-  return impact.second ? coupling::reduced_radius(radius, 0.5 * impact.second->diameter) : radius;
+  return impact.second ? dem::reduced_radius(radius, 0.5 * impact.second->diameter) : radius;
 }
 
 /// The pairs of the paper's bed: glass on glass, steel on glass, glass on a wall.
@@ -95,7 +95,7 @@ double relative(const std::vector<double>& component) {
 /// The bodies of an impact along z, the first from above, `gap` apart.
 struct Stage {
   Stage(const ComparedContactLaw& law, const Impact& impact, double time_step, double gap,
-        const std::optional<coupling::Lubrication>& lubrication = {}) {
+        const std::optional<dem::Lubrication>& lubrication = {}) {
     Contact contact = law.contact;
     contact.time_step = time_step;
     contact.rolling_friction = 0.0;
@@ -462,7 +462,7 @@ double wet_restitution(const ComparedContactLaw& law, double speed) {
   const Impact impact{glass(), {}, speed};
   const auto [outer, inner] = lubrication_gaps();
   const double step = 10.0 * resolving_step(law, impact);
-  Stage stage(law, impact, step, outer, coupling::Lubrication{paper::water().viscosity, inner, outer});
+  Stage stage(law, impact, step, outer, dem::Lubrication{paper::water().viscosity, inner, outer});
   const auto& particles = stage.engine->particles;
   const double away = 0.5 * impact.first.diameter + outer;
   // At a thousandth of its speed it would need a thousand times as long: it has come to rest.

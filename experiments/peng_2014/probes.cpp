@@ -9,7 +9,8 @@
 #include "solver/dem/engine.hpp"
 #include "solver/dem/walls.hpp"
 #include "solver/fluid/liquid_solver.hpp"
-#include "solver/scene/scene_file.hpp"
+#include "solver/laws/make_engine.hpp"
+#include "solver/laws/scene_file.hpp"
 #include "solver/support/folders.hpp"
 
 namespace slfb {
@@ -25,7 +26,7 @@ std::size_t add_bed_sphere(dem::Engine& engine, const Scene& scene, const std::a
 double restitution(const Scene& scene) {
   constexpr double speed = 0.1;
   const double d = scene.species.front().diameter;
-  dem::Engine engine(scene.contact, {}, unbounded, 1);
+  dem::Engine engine = make_engine(scene.contact, {}, unbounded, 1);
   add_bed_sphere(engine, scene, {-0.505 * d, 0.0, 0.0});
   add_bed_sphere(engine, scene, {0.505 * d, 0.0, 0.0});
   engine.particles.velocity.x = {0.5 * speed, -0.5 * speed};
@@ -40,7 +41,7 @@ double restitution(const Scene& scene) {
 double sliding_friction(const Scene& scene) {
   constexpr double speed = 0.2, seconds = 0.01;
   const double r = 0.5 * scene.species.front().diameter;
-  dem::Engine engine(scene.contact, {{dem::Wall::Kind::plane, 2, 1.0, 0.0}}, unbounded, 1);
+  dem::Engine engine = make_engine(scene.contact, {{dem::Wall::Kind::plane, 2, 1.0, 0.0}}, unbounded, 1);
   add_bed_sphere(engine, scene, {0.0, 0.0, r});
   const double weight = engine.particles.mass[0] * gravitational_acceleration;
   engine.external_force.z[0] = -weight;
@@ -57,7 +58,7 @@ double sliding_friction(const Scene& scene) {
 
 double terminal_velocity(Scene scene) {
   scene.fluid.tier = FluidTier::quiescent;
-  dem::Engine engine(scene.contact, {}, unbounded, 1);
+  dem::Engine engine = make_engine(scene.contact, {}, unbounded, 1);
   add_bed_sphere(engine, scene, {0.0, 0.0, 0.0});
   coupling::PhaseCoupling exchange(scene, nullptr, 0.0);
   const auto substeps = std::llround(scene.fluid.time_step / scene.contact.time_step);
@@ -75,7 +76,7 @@ double frozen_bed_gradient(Scene scene) {
   scene.fluid.cells_across = 1;
   scene.fluid.cell_height = 0.012;
   scene.liquid.superficial_velocity = 0.05;
-  dem::Engine engine(scene.contact, {}, unbounded, 1);
+  dem::Engine engine = make_engine(scene.contact, {}, unbounded, 1);
   const double spacing = 0.006;  // 1.2 diameters of 5 mm, and whole lattice layers per cell
   for (double z = 0.5 * spacing; z < scene.geometry.height; z += spacing)
     for (double y = -0.009; y < 0.012; y += spacing)

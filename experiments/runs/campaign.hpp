@@ -10,7 +10,7 @@
 #include "experiments/quantities/measure_key.hpp"
 #include "experiments/quantities/run_summary.hpp"
 #include "solver/io/run_result.hpp"
-#include "solver/scene/scene_file.hpp"
+#include "solver/laws/scene_file.hpp"
 
 namespace slfb {
 

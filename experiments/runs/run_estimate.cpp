@@ -7,7 +7,7 @@
 #include <numbers>
 
 #include "solver/fluid/column_grid.hpp"
-#include "solver/scene/scene_file.hpp"
+#include "solver/laws/scene_file.hpp"
 
 namespace slfb {
 namespace {

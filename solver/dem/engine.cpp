@@ -9,8 +9,6 @@
 #include <tuple>
 #include <utility>
 
-#include "solver/laws/user_law.hpp"
-
 namespace slfb::dem {
 namespace {
 
@@ -110,9 +108,6 @@ struct Engine::Share {
   std::vector<Collision> collisions;
   ContactBatch batch{};
 };
-
-Engine::Engine(const Contact& contact, std::vector<Wall> walls, std::array<double, 3> period, int threads)
-    : Engine(contact, find_contact_law(contact.law), std::move(walls), period, threads) {}
 
 Engine::Engine(const Contact& contact, const ContactLawKernels& law, std::vector<Wall> walls,
                std::array<double, 3> period, int threads)
@@ -770,7 +765,7 @@ void Engine::add_lubrication() {
       for (const auto& [j, image] : others) {
         const Row other = place_[j];
         const Vec3 force = act(other.vector() + image_shift_[image].vector() - own.vector(), own.w + other.w,
-                               coupling::reduced_radius(own.w, other.w), velocity_[i].vector() - velocity_[j].vector());
+                               reduced_radius(own.w, other.w), velocity_[i].vector() - velocity_[j].vector());
         force_[i].add(-1.0 * force);
         force_[j].add(force);
       }

@@ -41,9 +41,8 @@ struct ContactRecord {
 /// alone, however the spheres are numbered.
 class Engine {
  public:
-  /// `period`: extent of a periodic box around the origin in x, y and z, 0 where the domain is not periodic [m].
-  Engine(const Contact& contact, std::vector<Wall> walls, std::array<double, 3> period, int threads);
-  /// The same with another law than contact.law names.
+  /// `law` takes the place of the name in contact.law; make_engine() in solver/laws looks it up. `period`: extent of a
+  /// periodic box around the origin in x, y and z, 0 where the domain is not periodic [m].
   Engine(const Contact& contact, const ContactLawKernels& law, std::vector<Wall> walls, std::array<double, 3> period,
          int threads);
   ~Engine();
@@ -52,7 +51,7 @@ class Engine {
 
   /// From now on the liquid between nearly touching spheres, and walls, resists their approach. Its forces count among
   /// those of contacts. To be called before the first sphere is added.
-  void lubricate(const coupling::Lubrication& lubrication) { lubrication_ = lubrication; }
+  void lubricate(const Lubrication& lubrication) { lubrication_ = lubrication; }
 
   Particles particles;         ///< may be changed between calls of advance(); masses and radii only before the first
   VectorField external_force;  ///< on each sphere, constant over a call of advance() [N]; sized by add_particle
@@ -245,7 +244,7 @@ class Engine {
   std::array<double, 3> mean_tracked_force_{};
   double maximum_overlap_ = 0.0;
   bool collect_collisions_ = false;
-  std::optional<coupling::Lubrication> lubrication_;
+  std::optional<Lubrication> lubrication_;
 };
 
 }  // namespace slfb::dem

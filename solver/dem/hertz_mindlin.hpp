@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -16,13 +17,17 @@ namespace slfb::dem {
 /// cycle is not free of artificial work; the steps of Mindlin & Deresiewicz (1953) are not followed.
 class HertzMindlin {
  public:
+  static constexpr std::array keys{ContactKey{"youngs_modulus", true}, ContactKey{"poisson_ratio"},
+                                   ContactKey{"rigid_walls"}, ContactKey{"restitution"}, ContactKey{"cut_tension"}};
   static constexpr ContactLawInfo info{
       .name = "hertz",
       .title = "Elastic spheres with a constant restitution, Hertz (1882), Mindlin (1949), Tsuji et al. (1992)",
       .equation = "F_n = 4/3 E* sqrt(R* d) d + c_n d', c_n = 2 sqrt(5/6) zeta sqrt(S_n m_eff), S_n = 2 E* sqrt(R* d)",
       .source = "tsuji1992",
       // Hertz's half-spaces: the radius of the contact, sqrt(R* d), at most a tenth of R*.
-      .overlap = {0.0, 0.01}};
+      .overlap = {0.0, 0.01},
+      .keys = keys,
+      .stiffness_key = "youngs_modulus"};
 
   /// With `at_wall` and contact.rigid_walls only the sphere deforms.
   explicit HertzMindlin(const Contact& contact, bool at_wall = false) {

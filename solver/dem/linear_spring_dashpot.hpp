@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -49,11 +50,15 @@ inline double damping_ratio(double restitution) {
 /// 9:465).
 class LinearSpringDashpot {
  public:
+  static constexpr std::array keys{ContactKey{"stiffness", true}, ContactKey{"restitution"}, ContactKey{"cut_tension"},
+                                   ContactKey{"tangential_stiffness_ratio"}, ContactKey{"tangential_damping_ratio"}};
   static constexpr ContactLawInfo info{.name = "linear",
                                        .title = "Linear spring and dashpot, Cundall & Strack (1979)",
                                        .equation = "F_n = k_n d + c_n d', c_n = 2 zeta sqrt(k_n m_eff)",
                                        .source = "cundall1979",
-                                       .overlap = {}};
+                                       .overlap = {},
+                                       .keys = keys,
+                                       .stiffness_key = "stiffness"};
 
   explicit LinearSpringDashpot(const Contact& contact, bool /*at_wall*/ = false)
       : stiffness_(contact.stiffness),

@@ -5,7 +5,7 @@
 #include <limits>
 #include <numbers>
 
-namespace slfb::coupling {
+namespace slfb::dem {
 
 /// Force of the liquid that is squeezed out between two nearly touching spheres, or a sphere and a wall:
 /// F = −6 π μ R² v (1/h − 1/h_outer) along the line of centres, R = r_1 r_2/(r_1 + r_2) (Nguyen & Ladd 2002, Phys. Rev.
@@ -62,4 +62,4 @@ inline double brenner_wall_drag(double relative_gap) {
   return 4.0 / 3.0 * sinh_alpha * sum;
 }
 
-}  // namespace slfb::coupling
+}  // namespace slfb::dem

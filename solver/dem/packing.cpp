@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "solver/scene/scene_file.hpp"
+#include "solver/laws/scene_file.hpp"
 
 namespace slfb::dem {
 namespace {

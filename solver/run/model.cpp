@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "solver/dem/packing.hpp"
+#include "solver/laws/make_engine.hpp"
 
 namespace slfb::simulation {
 namespace {
@@ -17,7 +18,7 @@ std::array<double, 3> period_of(const Scene& scene) {
 
 Model::Model(const Scene& scene, int threads)
     : scene_(scene),
-      engine_(scene.contact, dem::walls_of(scene), period_of(scene), threads),
+      engine_(make_engine(scene.contact, dem::walls_of(scene), period_of(scene), threads)),
       sphere_steps_(std::llround(scene.fluid.time_step / scene.contact.time_step)) {
   if (scene.coupling.lubrication_range > 0.0)
     engine_.lubricate({scene.liquid.viscosity, scene.coupling.lubrication_roughness, scene.coupling.lubrication_range});

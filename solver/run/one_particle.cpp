@@ -38,7 +38,7 @@ int derivative(realtype /*time*/, N_Vector state, N_Vector rate, void* data) {
   if (fall.above_bottom) {
     const double relative_gap = NV_Ith_S(state, 0) / (0.5 * fall.diameter) - 1.0;
     if (relative_gap <= 0.0) return 1;  // too long a step: CVODE tries a shorter one
-    wall_drag += coupling::brenner_wall_drag(relative_gap) - 1.0;
+    wall_drag += dem::brenner_wall_drag(relative_gap) - 1.0;
   }
   const double wall_force = -3.0 * std::numbers::pi * fall.viscosity * fall.diameter * wall_drag * velocity;
   const double inertia = (fall.density + fall.added_mass * fall.liquid_density) * volume;

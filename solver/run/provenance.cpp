@@ -11,7 +11,7 @@
 #include <string>
 #include <thread>
 
-#include "solver/scene/scene_file.hpp"
+#include "solver/laws/scene_file.hpp"
 
 namespace slfb::simulation {
 namespace {

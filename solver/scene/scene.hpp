@@ -1,13 +1,14 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <numbers>
 #include <optional>
 #include <string>
 #include <vector>
 
-/// The one description of a run: plain data in SI units, filled and checked by scene_file.hpp.
+/// The one description of a run: plain data in SI units, filled and checked by solver/laws/scene_file.hpp.
 namespace slfb {
 
 enum class Shape { cylinder, box };
@@ -58,6 +59,10 @@ struct Species {
   double diameter = 0.0;   ///< [m]
   double density = 0.0;    ///< [kg/m³]
   std::int64_t count = 0;  ///< bed particles at the start; 0 for a species that is only dropped
+
+  /// Of one sphere [m³] and [kg].
+  [[nodiscard]] double volume() const { return std::numbers::pi / 6.0 * std::pow(diameter, 3); }
+  [[nodiscard]] double mass() const { return density * volume(); }
 };
 
 enum class RollingModel { constant_torque, elastic_plastic };
@@ -66,7 +71,7 @@ enum class Integrator { symplectic_euler, velocity_verlet, position_verlet, gear
 
 /// Soft-sphere contact, the same for all pairs and walls (Peng 2014, Table 1).
 struct Contact {
-  std::string law = "linear";     ///< "linear", "hertz", or a C++ file (solver/laws/user_law.hpp)
+  std::string law = "linear";     ///< of solver/dem/contact_laws.cpp, or a C++ file (solver/laws/user_law.hpp)
   double stiffness = 0.0;         ///< linear: k_n [N/m]
   double youngs_modulus = 0.0;    ///< hertz: E [Pa]
   double poisson_ratio = 0.25;    ///< hertz: ν [-]

@@ -8,31 +8,18 @@
 #include <numbers>
 #include <stdexcept>
 
-#include "correlations/drag/drag_laws.hpp"
-#include "solver/dem/contact_laws.hpp"
-#include "solver/laws/user_law.hpp"
 #include "solver/scene/scene_description.hpp"
-#include "solver/scene/scene_file.hpp"
 
 namespace slfb::description {
 namespace {
+
+using units::rounded, units::shortest, units::with_unit;
 
 /// Beyond these a run would take years and its counts would overflow: almost surely a wrong unit.
 constexpr double most_cells = 1e8, most_steps = 5e9;
 
 /// Solid fraction of a random close packing of equal spheres: denser than any bed that settles on its own.
 constexpr double densest_packing = 0.64;
-
-double sphere_volume(const Species& species) { return std::numbers::pi / 6.0 * std::pow(species.diameter, 3); }
-
-double sphere_mass(const Species& species) { return species.density * sphere_volume(species); }
-
-std::string with_unit(double value, const units::Dimension& dimension) {
-  return dimension.unit == "1" ? shortest(value) : fmt::format("{} {}", shortest(value), dimension.unit);
-}
-
-/// For messages: four digits are enough to act on.
-std::string rounded(double value) { return fmt::format("{:.4g}", value); }
 
 /// Each value alone against its range.
 class RangeCheck {
@@ -51,31 +38,32 @@ class RangeCheck {
       body(items[i]);
     }
   }
-  void text(const std::string& key, const std::string& value, Presence presence) {
+  void text(const std::string& key, const std::string& value, const Presence& presence) {
     if (presence.rule == Presence::Rule::required && value.empty()) {
       problems_.add(prefix_ + key, "\"\"", "is empty; needed is a text");
     }
   }
-  void boolean(const std::string&, bool, Presence) {}
+  void law(const std::string& key, const std::string& value, const Presence& presence) { text(key, value, presence); }
+  void boolean(const std::string&, bool, const Presence&) {}
   template <class Integer>
-  void integer(const std::string& key, Integer value, const Allowed& allowed, Presence presence) {
+  void integer(const std::string& key, Integer value, const Allowed& allowed, const Presence& presence) {
     check(key, static_cast<double>(value), fmt::format("{}", value), allowed, presence);
   }
   void number(const std::string& key, double value, const units::Dimension& dimension, const Allowed& allowed,
-              Presence presence) {
+              const Presence& presence) {
     check(key, value, with_unit(value, dimension), allowed, presence);
   }
   void pair(const std::string& key, const std::array<double, 2>& value, const units::Dimension& dimension,
-            const Allowed& allowed, Presence presence) {
+            const Allowed& allowed, const Presence& presence) {
     for (const double item : value) check(key, item, with_unit(item, dimension), allowed, presence);
   }
   template <class Enum, std::size_t N>
-  void choice(const std::string&, Enum, const std::array<Choice<Enum>, N>&, Presence) {}
+  void choice(const std::string&, Enum, const std::array<Choice<Enum>, N>&, const Presence&) {}
   void particle_count(const Species& species) { integer("count", species.count, zero_to_a_billion, optional); }
 
  private:
   void check(const std::string& key, double value, const std::string& printed, const Allowed& allowed,
-             Presence presence) {
+             const Presence& presence) {
     if (presence.rule == Presence::Rule::meaningless || (std::isfinite(value) && allowed.contains(value))) return;
     problems_.add(prefix_ + key, printed, fmt::format("out of range; allowed is {}", allowed.words));
   }
@@ -87,13 +75,14 @@ class RangeCheck {
 /// What the values mean together. Runs only on values that are in range.
 class PhysicsCheck {
  public:
-  PhysicsCheck(const Scene& scene, Problems& problems) : scene_(scene), problems_(problems) {}
+  PhysicsCheck(const Scene& scene, Problems& problems, const SceneLaws& laws)
+      : scene_(scene), problems_(problems), laws_(laws) {}
 
   void run() {
     check_species();
     check_column();
     check_fluid();
-    check_contact();
+    laws_.check_contact(scene_, problems_);
     check_coupling();
     check_stages();
     check_recording();
@@ -122,7 +111,7 @@ class PhysicsCheck {
   /// Height that the bed takes at the least.
   [[nodiscard]] double densest_bed_height() const {
     double volume = 0.0;
-    for (const Species& s : scene_.species) volume += static_cast<double>(s.count) * sphere_volume(s);
+    for (const Species& s : scene_.species) volume += static_cast<double>(s.count) * s.volume();
     return volume / (densest_packing * scene_.geometry.cross_section());
   }
 
@@ -221,39 +210,8 @@ class PhysicsCheck {
             rounded(least));
   }
 
-  void check_contact() {
-    const auto& contact = scene_.contact;
-    const std::string law = fmt::format("\"{}\"", contact.law);
-    try {
-      find_contact_law(contact.law);
-    } catch (const UserLawError& error) {
-      return problem("contact.law", law, "{}", error.what());
-    } catch (const std::invalid_argument&) {
-      std::string names;
-      for (const auto& known : dem::contact_laws()) names += fmt::format("\"{}\", ", known.info.name);
-      return problem("contact.law", law, "unknown contact law; allowed is {}or a file that ends with .cpp", names);
-    }
-    const double bound = contact_time_step_bound(scene_);
-    if (is_user_law(contact.law) && !scene_.species.empty() && !(bound > 0.0 && std::isfinite(bound)))
-      return problem("contact.law", law,
-                     "gives no stiffness above zero at an overlap of a hundredth of the effective radius; does it need "
-                     "contact.stiffness or contact.youngs_modulus?");
-    if (contact.allow_large_time_step || contact.time_step <= bound) return;
-    problem("contact.time_step", with_unit(contact.time_step, units::time),
-            "is above the bound 1/ω_0 = sqrt(m_eff/k_n) = {} s of the stiffest pair; allowed is at most that, a softer "
-            "contact.{}, or contact.allow_large_time_step = true",
-            rounded(bound), contact.law == "hertz" ? "youngs_modulus" : "stiffness");
-  }
-
   void check_coupling() {
-    try {
-      find_drag_law(scene_.coupling.drag_law);
-    } catch (const UserLawError& error) {
-      problem("coupling.drag_law", fmt::format("\"{}\"", scene_.coupling.drag_law), "{}", error.what());
-    } catch (const std::invalid_argument&) {
-      problem("coupling.drag_law", fmt::format("\"{}\"", scene_.coupling.drag_law),
-              "unknown drag law; allowed is {}, or a file that ends with .cpp", law_names<drag::DragLaws>());
-    }
+    laws_.check_drag_law(scene_, problems_);
     const auto& coupling = scene_.coupling;
     if (coupling.lubrication_range > 0.0 && coupling.lubrication_roughness >= coupling.lubrication_range)
       problem("coupling.lubrication_roughness", with_unit(coupling.lubrication_roughness, units::length),
@@ -352,52 +310,18 @@ class PhysicsCheck {
 
   const Scene& scene_;
   Problems& problems_;
+  const SceneLaws& laws_;
 };
 
 }  // namespace
 
-std::string shortest(double value) { return fmt::format("{}", value); }
-
-void check_scene(const Scene& scene, Problems& problems) {
+void check_scene(const Scene& scene, Problems& problems, const SceneLaws& laws) {
   RangeCheck ranges(problems);
   Scene copy = scene;
-  describe(ranges, copy);
+  describe(ranges, copy, laws);
   problems.raise();
-  PhysicsCheck(scene, problems).run();
+  PhysicsCheck(scene, problems, laws).run();
   problems.raise();
 }
 
 }  // namespace slfb::description
-
-namespace slfb {
-
-double contact_time_step_bound(const Scene& scene) {
-  const auto is_dropped = [&](const Species& species) {
-    return std::ranges::any_of(scene.stages, [&](const Stage& stage) {
-      return stage.kind == StageKind::drop && stage.species == species.name;
-    });
-  };
-  const dem::ContactLawKernels law = find_contact_law(scene.contact.law);
-  double bound = std::numeric_limits<double>::infinity();
-  const auto pair_of = [&](double effective_mass, double effective_radius) {
-    // Where the stiffness depends on the overlap: at a hundredth of the effective radius.
-    const double stiffness = law.stiffness(scene.contact, false, 0.01 * effective_radius, effective_radius);
-    bound = std::min(bound, std::sqrt(effective_mass / stiffness));
-  };
-  for (const Species& a : scene.species) {
-    const double mass = description::sphere_mass(a), radius = 0.5 * a.diameter;
-    const std::int64_t present = a.count + (is_dropped(a) ? 1 : 0);
-    if (present >= 1) pair_of(mass, radius);  // against a wall
-    if (present >= 2) pair_of(mass / 2.0, radius / 2.0);
-    if (present == 0) continue;
-    for (const Species& b : scene.species) {
-      // Dropped spheres are in the column one at a time, so at least one of a pair is of the bed.
-      if (&a == &b || a.count == 0 || (b.count == 0 && !is_dropped(b))) continue;
-      const double other = description::sphere_mass(b), other_radius = 0.5 * b.diameter;
-      pair_of(mass * other / (mass + other), radius * other_radius / (radius + other_radius));
-    }
-  }
-  return bound;
-}
-
-}  // namespace slfb

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "solver/scene/scene.hpp"
+#include "solver/scene/scene_laws.hpp"
 #include "solver/scene/units.hpp"
 
 /// Every key of a scene file, once: where it goes, what it measures and what it may be. The reader, the writer and
@@ -36,26 +37,17 @@ inline constexpr Allowed between_zero_and_one{0.0, false, 1.0, false, "between 0
 inline constexpr Allowed one_to_a_million{1.0, true, 1e6, true, "a whole number from 1 to 1000000"};
 inline constexpr Allowed zero_to_a_billion{0.0, true, 1e9, true, "a whole number from 0 to 1000000000"};
 
-/// Whether a key must be there, may be there, or has no meaning beside the values read before it.
-struct Presence {
-  enum class Rule { required, optional, meaningless } rule;
-  std::string_view reason;
-  bool left_out = false;  ///< of the canonical text, and so of the hash
-};
-inline constexpr Presence required{Presence::Rule::required, {}};
-inline constexpr Presence optional{Presence::Rule::optional, {}};
-constexpr Presence required_if(bool condition, std::string_view reason) {
-  return condition ? required : Presence{Presence::Rule::meaningless, reason};
+inline Presence required_if(bool condition, std::string_view reason) {
+  return condition ? required : Presence{Presence::Rule::meaningless, std::string(reason)};
 }
-
-constexpr Presence optional_if(bool condition, std::string_view reason) {
-  return condition ? optional : Presence{Presence::Rule::meaningless, reason};
+inline Presence optional_if(bool condition, std::string_view reason) {
+  return condition ? optional : Presence{Presence::Rule::meaningless, std::string(reason)};
 }
 
 /// Optional, and not written while it has its default: a key that came after runs were named by their hashes.
 /// \param value of the scene at hand
 template <class Value>
-constexpr Presence left_out_if_default(const Value& value, const Value& default_value) {
+Presence left_out_if_default(const Value& value, const Value& default_value) {
   return {Presence::Rule::optional, {}, value == default_value};
 }
 
@@ -104,10 +96,10 @@ std::string_view word_of(Enum value, const std::array<Choice<Enum>, N>& choices)
   return std::ranges::find(choices, value, &Choice<Enum>::value)->word;
 }
 
-/// Walks the scene. A visitor has text, boolean, integer, number, pair, choice and particle_count, each called with the
-/// key, the place and the rules; section(name, body) and sections(name, items, body) open the tables.
+/// Walks the scene. A visitor has text, law, boolean, integer, number, pair, choice and particle_count, each called
+/// with the key, the value and the rules; section(name, body) and sections(name, items, body) open the tables.
 template <class Visitor>
-void describe(Visitor& visitor, Scene& scene) {
+void describe(Visitor& visitor, Scene& scene, const SceneLaws& laws) {
   namespace u = units;
   visitor.text("title", scene.title, optional);
   visitor.integer("seed", scene.seed, Allowed{0.0, true, 0x1p63, false, "a whole number below 2^63"}, optional);
@@ -129,7 +121,7 @@ void describe(Visitor& visitor, Scene& scene) {
   visitor.section("fluid", [&] {
     auto& fluid = scene.fluid;
     visitor.choice("tier", fluid.tier, tiers, required);
-    const Presence flowing = fluid.tier == FluidTier::quiescent ? optional : required;
+    const Presence& flowing = fluid.tier == FluidTier::quiescent ? optional : required;
     visitor.choice("wall", fluid.wall, walls, optional);
     visitor.integer("cells_across", fluid.cells_across, one_to_a_million, optional);
     visitor.number("cell_height", fluid.cell_height, u::length, positive, flowing);
@@ -142,19 +134,20 @@ void describe(Visitor& visitor, Scene& scene) {
   });
   visitor.section("contact", [&] {
     auto& contact = scene.contact;
-    visitor.text("law", contact.law, optional);
-    // A law from a file takes of these what it needs, and says so by its stiffness where it misses one.
-    const bool linear = contact.law == "linear", hertz = contact.law == "hertz", own = !linear && !hertz;
-    constexpr std::string_view of_linear = "it belongs to law = \"linear\"", of_hertz = "it belongs to law = \"hertz\"";
-    const Allowed& modulus = own ? not_negative : positive;
-    visitor.number("stiffness", contact.stiffness, u::stiffness, modulus,
-                   own ? optional : required_if(linear, of_linear));
-    visitor.number("youngs_modulus", contact.youngs_modulus, u::pressure, modulus,
-                   own ? optional : required_if(hertz, of_hertz));
-    visitor.number("poisson_ratio", contact.poisson_ratio, u::ratio, zero_to_half, optional_if(!linear, of_hertz));
-    visitor.boolean("rigid_walls", contact.rigid_walls, optional_if(!linear, of_hertz));
-    visitor.number("restitution", contact.restitution, u::ratio, above_zero_to_one, optional);
-    visitor.boolean("cut_tension", contact.cut_tension, optional);
+    visitor.law("law", contact.law, optional);
+    const auto of_law = [&](std::string_view key) { return laws.contact_key(contact.law, key); };
+    // A law that can do without a modulus may be given 0, which is what it finds without the key.
+    const auto modulus = [&](const std::string& key, double& value, const u::Dimension& dimension) {
+      const Presence presence = of_law(key);
+      visitor.number(key, value, dimension, presence.rule == Presence::Rule::required ? positive : not_negative,
+                     presence);
+    };
+    modulus("stiffness", contact.stiffness, u::stiffness);
+    modulus("youngs_modulus", contact.youngs_modulus, u::pressure);
+    visitor.number("poisson_ratio", contact.poisson_ratio, u::ratio, zero_to_half, of_law("poisson_ratio"));
+    visitor.boolean("rigid_walls", contact.rigid_walls, of_law("rigid_walls"));
+    visitor.number("restitution", contact.restitution, u::ratio, above_zero_to_one, of_law("restitution"));
+    visitor.boolean("cut_tension", contact.cut_tension, of_law("cut_tension"));
     visitor.number("sliding_friction", contact.sliding_friction, u::ratio, not_negative, optional);
     visitor.number("rolling_friction", contact.rolling_friction, u::ratio, not_negative, optional);
     visitor.choice("rolling_model", contact.rolling_model, rolling_models, optional);
@@ -164,16 +157,16 @@ void describe(Visitor& visitor, Scene& scene) {
     visitor.number("rolling_damping_ratio", contact.rolling_damping_ratio, u::ratio, not_negative,
                    optional_if(plastic, "it belongs to rolling_model = \"elastic-plastic\""));
     visitor.number("tangential_stiffness_ratio", contact.tangential_stiffness_ratio, u::ratio, positive,
-                   optional_if(!hertz, of_linear));
+                   of_law("tangential_stiffness_ratio"));
     visitor.number("tangential_damping_ratio", contact.tangential_damping_ratio, u::ratio, not_negative,
-                   optional_if(!hertz, of_linear));
+                   of_law("tangential_damping_ratio"));
     visitor.choice("integrator", contact.integrator, integrators, optional);
     visitor.number("time_step", contact.time_step, u::time, positive, required);
     visitor.boolean("allow_large_time_step", contact.allow_large_time_step, optional);
   });
   visitor.section("coupling", [&] {
     auto& coupling = scene.coupling;
-    visitor.text("drag_law", coupling.drag_law, optional);
+    visitor.law("drag_law", coupling.drag_law, optional);
     visitor.choice("void_fraction", coupling.void_fraction, void_fractions, optional);
     visitor.integer("meshing_pieces", coupling.meshing_pieces, one_to_a_million, optional);
     visitor.number("void_fraction_interval", coupling.void_fraction_interval, u::time, not_negative, optional);

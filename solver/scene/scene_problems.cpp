@@ -3,8 +3,6 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "solver/scene/scene_file.hpp"
-
 namespace slfb::description {
 
 void Problems::add(const std::string& path, std::string_view value, std::string_view message) {

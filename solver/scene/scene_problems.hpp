@@ -1,9 +1,20 @@
 #pragma once
 
 #include <map>
+#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <vector>
+
+namespace slfb {
+
+/// A scene that cannot be run; what() reads "file:line: key = value: what is wrong; what is allowed", a line for each
+/// problem.
+struct SceneError : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+}  // namespace slfb
 
 namespace slfb::description {
 

@@ -85,4 +85,12 @@ double parse_quantity(std::string_view text, const Dimension& dimension) {
   return round_to_fifteen_digits(*converted);
 }
 
+std::string shortest(double value) { return fmt::format("{}", value); }
+
+std::string with_unit(double value, const Dimension& dimension) {
+  return dimension.unit == "1" ? shortest(value) : fmt::format("{} {}", shortest(value), dimension.unit);
+}
+
+std::string rounded(double value) { return fmt::format("{:.4g}", value); }
+
 }  // namespace slfb::units

@@ -33,4 +33,11 @@ struct UnitError : std::invalid_argument {
 /// "7.14 mm" and 0.00714 are the same number. Calls from several threads are serialised (UDUNITS-2 keeps one state).
 double parse_quantity(std::string_view text, const Dimension& dimension);
 
+/// Shortest decimal that reads back as the same number.
+std::string shortest(double value);
+/// The same with the SI unit behind it: "0.05 m".
+std::string with_unit(double value, const Dimension& dimension);
+/// Four digits, enough to act on: for messages.
+std::string rounded(double value);
+
 }  // namespace slfb::units

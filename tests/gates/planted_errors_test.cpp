@@ -11,7 +11,7 @@
 #include "experiments/claims/claims.hpp"
 #include "experiments/peng_2014/probes.hpp"
 #include "experiments/runs/measure.hpp"
-#include "solver/scene/scene_file.hpp"
+#include "solver/laws/scene_file.hpp"
 #include "solver/support/folders.hpp"
 
 namespace slfb {

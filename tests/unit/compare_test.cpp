@@ -20,8 +20,8 @@
 #include "experiments/compare/drag_study.hpp"
 #include "experiments/peng_2014/paper_conditions.hpp"
 #include "experiments/runs/run_files.hpp"
+#include "solver/laws/scene_file.hpp"
 #include "solver/laws/user_law.hpp"
-#include "solver/scene/scene_file.hpp"
 #include "tests/unit/synthetic_runs.hpp"
 
 namespace slfb::compare {

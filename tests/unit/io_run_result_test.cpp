@@ -10,7 +10,7 @@
 
 #include "solver/io/hdf5_file.hpp"
 #include "solver/io/run_result.hpp"
-#include "solver/scene/scene_file.hpp"
+#include "solver/laws/scene_file.hpp"
 #include "tests/unit/synthetic_runs.hpp"
 
 namespace slfb {

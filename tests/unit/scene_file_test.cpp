@@ -1,4 +1,4 @@
-#include "solver/scene/scene_file.hpp"
+#include "solver/laws/scene_file.hpp"
 
 #include <gtest/gtest.h>
 

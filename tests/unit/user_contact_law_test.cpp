@@ -11,7 +11,8 @@
 #include "experiments/runs/run_files.hpp"
 #include "solver/dem/engine.hpp"
 #include "solver/dem/linear_spring_dashpot.hpp"
-#include "solver/scene/scene_file.hpp"
+#include "solver/laws/make_engine.hpp"
+#include "solver/laws/scene_file.hpp"
 #include "tests/unit/user_law_files.hpp"
 
 namespace slfb {
@@ -53,7 +54,7 @@ std::vector<double> tumble(const Contact& contact, int threads = 1) {
   std::vector<dem::Wall> walls{{dem::Wall::Kind::plane, 2, 1.0, 0.0}};
   for (const int axis : {0, 1})
     for (const double side : {-1.0, 1.0}) walls.push_back({dem::Wall::Kind::plane, axis, -side, side * 0.0105});
-  dem::Engine engine(contact, walls, {0, 0, 0}, threads);
+  dem::Engine engine = make_engine(contact, walls, {0, 0, 0}, threads);
   for (int k = 0; k < 60; ++k) {
     const double radius = k % 3 == 0 ? 0.003 : 0.0025;
     const std::size_t i = engine.add_particle(

@@ -18,6 +18,7 @@
 #include "solver/dem/engine.hpp"
 #include "solver/dem/granular_temperature.hpp"
 #include "solver/dem/packing.hpp"
+#include "solver/laws/make_engine.hpp"
 
 namespace slfb::dem {
 namespace {
@@ -140,7 +141,7 @@ void add_pair(Engine& engine) {
 
 TEST(SingleCollision, TellsItsDurationAndSpeed) {
   for (double restitution : {0.5, 0.9, 1.0}) {
-    Engine engine(linear(restitution, 200), {}, {0, 0, 0}, 1);
+    Engine engine = make_engine(linear(restitution, 200), {}, {0, 0, 0}, 1);
     engine.collect_collisions(true);
     add_pair(engine);
     const std::size_t idle = engine.add_particle({0, 2.2 * radius, 0}, radius, density, 0);
@@ -173,7 +174,7 @@ TEST(SingleCollision, TellsItsDurationAndSpeed) {
 // A fast third sphere far off has the list rebuilt and the order of the cells changed all the time.
 TEST(SingleCollision, IsOneEpisodeWhateverTheList) {
   for (int threads : {1, 3}) {
-    Engine engine(linear(0.9, 200), {}, {0, 0, 0}, threads);
+    Engine engine = make_engine(linear(0.9, 200), {}, {0, 0, 0}, threads);
     engine.collect_collisions(true);
     const std::size_t passer = engine.add_particle({0, 20 * radius, -200 * radius}, radius, density, 0);
     engine.particles.velocity.z[passer] = 20.0;
@@ -197,7 +198,7 @@ TEST(SingleCollision, IsOneEpisodeWhateverTheList) {
 
 // The list numbers its spheres anew between the end of the collision and its telling.
 TEST(SingleCollision, IsToldOfTheRightSpheres) {
-  Engine engine(linear(0.9, 50), {}, {0, 0, 0}, 1);
+  Engine engine = make_engine(linear(0.9, 50), {}, {0, 0, 0}, 1);
   engine.collect_collisions(true);
   const std::size_t mover = engine.add_particle({0, 0, -20 * radius}, radius, density, 0);
   add_pair(engine);
@@ -211,7 +212,7 @@ TEST(SingleCollision, IsToldOfTheRightSpheres) {
 }
 
 TEST(SingleCollision, IsToldAlthoughASphereWasAddedOrRemoved) {
-  Engine engine(linear(0.9, 50), {}, {0, 0, 0}, 1);
+  Engine engine = make_engine(linear(0.9, 50), {}, {0, 0, 0}, 1);
   engine.collect_collisions(true);
   add_pair(engine);
   engine.advance(70);  // parted, but still in the list
@@ -228,7 +229,7 @@ TEST(SingleCollision, IsToldAlthoughASphereWasAddedOrRemoved) {
 }
 
 TEST(SingleCollision, BeforeCollectingIsNotTold) {
-  Engine engine(linear(0.9, 50), {}, {0, 0, 0}, 1);
+  Engine engine = make_engine(linear(0.9, 50), {}, {0, 0, 0}, 1);
   add_pair(engine);
   engine.advance(70);
   ASSERT_EQ(engine.contact_events(0), 1);
@@ -262,7 +263,7 @@ INSTANTIATE_TEST_SUITE_P(Solids, CollisionFrequency, testing::Values(0.05, 0.25,
 TEST(CollisionCount, AddsUpOverManySpheres) {
   for (int threads : {1, 3}) {
     const double length = 0.05;
-    Engine engine(linear(0.95, 20), {}, {length, length, length}, threads);
+    Engine engine = make_engine(linear(0.95, 20), {}, {length, length, length}, threads);
     engine.collect_collisions(true);
     Uniform uniform(7);
     for (int k = 0; k < 512; ++k) {
@@ -323,7 +324,7 @@ PackedBed settle(double friction, double duration) {
   Contact contact = linear(0.5, 20, 1e3);
   contact.sliding_friction = friction;
   const Scene scene = column(600);
-  Engine engine(contact, walls_of(scene), {0, 0, 0}, 1);
+  Engine engine = make_engine(contact, walls_of(scene), {0, 0, 0}, 1);
   for (const PlacedSphere& sphere : loose_packing(scene)) engine.add_particle(sphere.centre, radius, density, 0);
   set_gravity(engine);
   engine.advance(static_cast<std::int64_t>(duration / contact.time_step));
@@ -416,7 +417,7 @@ struct Agitated {
 
   /// With the spheres of start() in the given order.
   [[nodiscard]] Engine engine(int threads, const std::vector<std::size_t>& order) const {
-    Engine made(contact, walls, period, threads);
+    Engine made = make_engine(contact, walls, period, threads);
     const Particles all = start();
     for (std::size_t i : order) {
       const std::size_t k =
@@ -582,13 +583,13 @@ TEST(Engine, AdvanceByNoStepChangesNothing) {
 TEST(Engine, RestoresASphereThatWasMoved) {
   for (double x : {0.0, 1.5 * radius}) {
     const Contact contact = linear(0.9, 50);
-    Engine engine(contact, {}, {0, 0, 0}, 1);
+    Engine engine = make_engine(contact, {}, {0, 0, 0}, 1);
     engine.add_particle({-20 * radius, 0, 0}, radius, density, 0);
     engine.add_particle({0, 0, 0}, radius, density, 0);
     engine.advance(10);
     engine.particles.position.x[0] = x - 1.99 * radius;
     engine.particles.position.x[1] = x;
-    Engine resumed(contact, {}, {0, 0, 0}, 1);
+    Engine resumed = make_engine(contact, {}, {0, 0, 0}, 1);
     resumed.restore(engine.particles, engine.memory());
     engine.advance(1);
     resumed.advance(1);
@@ -605,7 +606,7 @@ TEST(Engine, NetworkFrequencyKnowsRigidWalls) {
     contact.law = "hertz";
     contact.youngs_modulus = 1e8;
     contact.rigid_walls = rigid;
-    Engine engine(contact, {{Wall::Kind::plane, 2, 1.0, 0.0}}, {0, 0, 0}, 1);
+    Engine engine = make_engine(contact, {{Wall::Kind::plane, 2, 1.0, 0.0}}, {0, 0, 0}, 1);
     engine.add_particle({0, 0, 0.999 * radius}, radius, density, 0);
     engine.advance(1);
     squared[rigid] = engine.network_frequency_squared();

@@ -11,6 +11,7 @@
 #include "correlations/materials.hpp"
 #include "solver/dem/contact_reference.hpp"
 #include "solver/dem/hertz_mindlin.hpp"
+#include "solver/laws/make_engine.hpp"
 #include "tests/verification/few_spheres.hpp"
 
 namespace slfb::dem {
@@ -483,7 +484,8 @@ TEST(Engine, StopsAtANumberThatIsNotFinite) {
 // A periodic box sees a collision through its faces as it sees one in its middle.
 TEST(Engine, CollidesAcrossPeriodicFaces) {
   const Contact contact = glass(0.9, 100);
-  Engine inside(contact, {}, {0.05, 0.05, 0.05}, 1), across(contact, {}, {0.05, 0.05, 0.05}, 1);
+  Engine inside = make_engine(contact, {}, {0.05, 0.05, 0.05}, 1),
+         across = make_engine(contact, {}, {0.05, 0.05, 0.05}, 1);
   for (auto [engine, shift] : {std::pair{&inside, 0.0}, std::pair{&across, 0.025}}) {
     for (double side : {-1.0, 1.0}) {
       double x = side * 1.001 * radius + shift;

@@ -11,6 +11,7 @@
 #include "solver/dem/engine.hpp"
 #include "solver/dem/walls.hpp"
 #include "solver/fluid/liquid_solver.hpp"
+#include "solver/laws/make_engine.hpp"
 
 namespace slfb {
 
@@ -35,7 +36,7 @@ inline Scene periodic_box(double width, double height, int cells_across, double 
 /// Spheres and liquid of a scene. Without walls the spheres go where they want; a test puts them.
 struct CoupledCase {
   explicit CoupledCase(Scene of, std::vector<dem::Wall> walls = {})
-      : scene(std::move(of)), engine(scene.contact, std::move(walls), {0.0, 0.0, 0.0}, 1) {
+      : scene(std::move(of)), engine(make_engine(scene.contact, std::move(walls), {0.0, 0.0, 0.0}, 1)) {
     if (scene.fluid.tier != FluidTier::quiescent) liquid = std::make_unique<fluid::LiquidSolver>(scene);
     exchange = std::make_unique<coupling::PhaseCoupling>(scene, liquid.get(),
                                                          liquid ? 0.0 : scene.liquid.superficial_velocity);

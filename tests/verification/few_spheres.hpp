@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "solver/dem/engine.hpp"
+#include "solver/laws/make_engine.hpp"
 
 /// What the tests of few spheres in contact share.
 namespace slfb::dem {
@@ -27,7 +28,7 @@ struct Sphere {
 };
 
 inline Engine engine_with(const Contact& contact, std::vector<Wall> walls, const std::vector<Sphere>& spheres) {
-  Engine engine(contact, std::move(walls), {0, 0, 0}, 1);
+  Engine engine = make_engine(contact, std::move(walls), {0, 0, 0}, 1);
   const auto set = [](VectorField& field, std::size_t i, Vec3 value) {
     field.x[i] = value.x;
     field.y[i] = value.y;

@@ -8,6 +8,7 @@
 #include "correlations/drag/drag_laws.hpp"
 #include "correlations/materials.hpp"
 #include "solver/coupling/phase_coupling.hpp"
+#include "solver/laws/make_engine.hpp"
 #include "tests/verification/liquid_cases.hpp"
 
 namespace slfb {
@@ -292,7 +293,7 @@ TEST(Liquid, ContinuesFromItsStateBitByBit) {
 
 /// Spheres on a cubic lattice in the column.
 dem::Engine lattice(const Scene& scene, double spacing, double density) {
-  dem::Engine engine(scene.contact, {}, {0, 0, 0}, 1);
+  dem::Engine engine = make_engine(scene.contact, {}, {0, 0, 0}, 1);
   for (double z = 0.0025; z < scene.geometry.height - 0.0025; z += spacing)
     for (double y = -0.025; y < 0.025; y += spacing)
       for (double x = -0.025; x < 0.025; x += spacing)
@@ -355,7 +356,7 @@ TEST(Coupling, StaysStableAtStiffDrag) {
   Scene scene = water_column(0.0);
   scene.fluid.tier = FluidTier::quiescent;
   scene.fluid.time_step = 1e-2;
-  dem::Engine engine(scene.contact, {}, {0, 0, 0}, 1);
+  dem::Engine engine = make_engine(scene.contact, {}, {0, 0, 0}, 1);
   engine.add_particle({0, 0, 0.05}, 5e-6, 2230, 0);
   engine.particles.velocity.z[0] = 0.1;
   coupling::PhaseCoupling exchange(scene, nullptr);
@@ -372,7 +373,7 @@ TEST(Coupling, SettlesAtTheTerminalVelocity) {
   Scene scene = water_column(0.0);
   scene.coupling.drag_law = "wen-yu-1966";
   scene.fluid.tier = FluidTier::quiescent;
-  dem::Engine engine(scene.contact, {}, {0, 0, 0}, 1);
+  dem::Engine engine = make_engine(scene.contact, {}, {0, 0, 0}, 1);
   engine.add_particle({0, 0, 0}, 0.003, 7800, 0);
   coupling::PhaseCoupling exchange(scene, nullptr);
   for (int k = 0; k < 1500; ++k) {

@@ -6,6 +6,7 @@
 
 #include "correlations/materials.hpp"
 #include "few_spheres.hpp"
+#include "solver/laws/make_engine.hpp"
 
 namespace slfb::dem {
 namespace {
@@ -26,8 +27,8 @@ Contact contact_with(Integrator integrator) {
 TEST(LubricationInTheEngine, KeepsTheFirstIntegralOfASinkingSphere) {
   for (const bool at_wall : {true, false}) {
     const double coefficient = 6.0 * std::numbers::pi * viscosity * std::pow(at_wall ? radius : 0.5 * radius, 2);
-    Engine engine(contact_with(Integrator::symplectic_euler),
-                  at_wall ? std::vector{floor_at_zero} : std::vector<Wall>{}, {0, 0, 0}, 1);
+    Engine engine = make_engine(contact_with(Integrator::symplectic_euler),
+                                at_wall ? std::vector{floor_at_zero} : std::vector<Wall>{}, {0, 0, 0}, 1);
     engine.lubricate({viscosity, roughness, range});
     const double start = 5e-5;
     // Between two spheres the pair's reduced mass moves: equal and opposite forces on both.
@@ -59,7 +60,7 @@ TEST(LubricationInTheEngine, KeepsTheFirstIntegralOfASinkingSphere) {
 TEST(LubricationInTheEngine, IsTheSameAtAnyNumberOfThreads) {
   std::vector<double> reference;
   for (const int threads : {1, 2, 3}) {
-    Engine engine(contact_with(Integrator::symplectic_euler), {floor_at_zero}, {0, 0, 0}, threads);
+    Engine engine = make_engine(contact_with(Integrator::symplectic_euler), {floor_at_zero}, {0, 0, 0}, threads);
     engine.lubricate({viscosity, roughness, range});
     for (int k = 0; k < 60; ++k) {
       const auto i = engine.add_particle({5.05e-3 * (k % 4), 5.04e-3 * (k / 4 % 4), 2.52e-3 + 5.03e-3 * (k / 16)},

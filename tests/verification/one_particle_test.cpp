@@ -17,6 +17,7 @@
 #include "correlations/fluidisation/wall_correction/haberman_sayre_1958.hpp"
 #include "correlations/materials.hpp"
 #include "solver/coupling/phase_coupling.hpp"
+#include "solver/laws/make_engine.hpp"
 #include "solver/support/folders.hpp"
 
 namespace slfb {
@@ -60,7 +61,7 @@ TEST(OneParticleFall, EngineConvergesToIt) {
     scene.coupling.drag_law = "wen-yu-1966";
     scene.contact.stiffness = 1e4;
     scene.contact.time_step = 5e-5;
-    dem::Engine engine(scene.contact, {}, {0, 0, 0}, 1);
+    dem::Engine engine = make_engine(scene.contact, {}, {0, 0, 0}, 1);
     engine.add_particle({0, 0, 1.0}, 0.003, 7800, 0);
     coupling::PhaseCoupling exchange(scene, nullptr);
     for (int k = 0; k < std::lround(0.1 / liquid_step); ++k) {

@@ -11,7 +11,7 @@
 
 #include "correlations/materials.hpp"
 #include "solver/dem/packing.hpp"
-#include "solver/scene/scene_file.hpp"
+#include "solver/laws/scene_file.hpp"
 
 namespace slfb {
 namespace {

@@ -18,7 +18,8 @@ struct MyLaw {
       .title = "Linear spring and dashpot without corrections for the step",
       .equation = "F_n = k_n d + c_n d', c_n = 2 zeta sqrt(k_n m_eff)",
       .source = "mine",
-      .overlap = {0.0, 0.05}};  // largest overlap over effective radius for which it is meant
+      .overlap = {0.0, 0.05},         // largest overlap over effective radius for which it is meant
+      .stiffness_key = "stiffness"};  // the key of [contact] that makes it stiffer, for messages
 
   /// Takes what it needs from [contact] of the scene (solver/scene/scene.hpp); stiffness and youngs_modulus are 0 where
   /// the scene does not give them. `at_wall`: the second body is a wall.

@@ -9,7 +9,7 @@
 
 #include "experiments/numerics/bench/sphere_file.hpp"
 #include "experiments/numerics/studies/coupled_bed.hpp"
-#include "solver/scene/scene_file.hpp"
+#include "solver/laws/scene_file.hpp"
 #include "solver/support/folders.hpp"
 
 namespace slfb::bench {

@@ -12,6 +12,7 @@
 #include "correlations/materials.hpp"
 #include "experiments/numerics/bench/sphere_file.hpp"
 #include "solver/dem/packing.hpp"
+#include "solver/laws/make_engine.hpp"
 
 namespace slfb::bench {
 namespace {
@@ -50,9 +51,9 @@ Contact contact_of(const DemScene& scene) {
 }
 
 dem::Engine empty_engine(const DemScene& scene, const Contact& contact, int threads) {
-  if (!is_gas(scene)) return {contact, dem::walls_of(column(scene)), {0.0, 0.0, 0.0}, threads};
+  if (!is_gas(scene)) return make_engine(contact, dem::walls_of(column(scene)), {0.0, 0.0, 0.0}, threads);
   const double edge = gas_edge(scene);
-  return {contact, {}, {edge, edge, edge}, threads};
+  return make_engine(contact, {}, {edge, edge, edge}, threads);
 }
 
 void add_weight(dem::Engine& engine) {

@@ -11,6 +11,7 @@
 #include "correlations/collision/collision_laws.hpp"
 #include "solver/dem/engine.hpp"
 #include "solver/dem/granular_temperature.hpp"
+#include "solver/laws/make_engine.hpp"
 
 namespace slfb::kinetic {
 namespace {
@@ -50,7 +51,7 @@ MeasuredFrequency measure_frequency(double solids, int side, double collisions) 
     }
   };
 
-  dem::Engine melting(contact_lasting(10.0 * contact_fraction), {}, {length, length, length}, 1);
+  dem::Engine melting = make_engine(contact_lasting(10.0 * contact_fraction), {}, {length, length, length}, 1);
   std::mt19937_64 generator(1);
   // Integers scaled by hand: the library's distributions differ between machines.
   const auto uniform = [](std::mt19937_64& bits) { return static_cast<double>(bits() >> 11) * 0x1p-52 - 1.0; };
@@ -66,7 +67,7 @@ MeasuredFrequency measure_frequency(double solids, int side, double collisions) 
   melting.advance(steps_for(20.0, melting));
 
   const Contact contact = contact_lasting(contact_fraction);
-  dem::Engine engine(contact, {}, {length, length, length}, 1);
+  dem::Engine engine = make_engine(contact, {}, {length, length, length}, 1);
   const std::size_t n = melting.particles.size();
   for (std::size_t i = 0; i < n; ++i) engine.add_particle(melting.particles.position.at(i), radius, density, 0);
   engine.particles.velocity = melting.particles.velocity;

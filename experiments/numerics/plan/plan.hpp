@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "solver/scene/scene_file.hpp"
+#include "solver/laws/scene_file.hpp"
 
 /// No more model than a scene and the quantities asked of it need.
 namespace slfb::plan {

@@ -2,12 +2,13 @@
 
 #include "solver/dem/packing.hpp"
 #include "solver/dem/walls.hpp"
+#include "solver/laws/make_engine.hpp"
 
 namespace slfb::studies {
 
 CoupledBed::CoupledBed(const Scene& scene, const dem::Particles& spheres, int threads)
     : scene_(scene),
-      engine(scene_.contact, dem::walls_of(scene_), {0.0, 0.0, 0.0}, threads),
+      engine(make_engine(scene_.contact, dem::walls_of(scene_), {0.0, 0.0, 0.0}, threads)),
       liquid(scene_, false, threads),
       exchange(scene_, &liquid) {
   for (std::size_t i = 0; i < spheres.size(); ++i) {

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "experiments/numerics/studies/thread_time.hpp"
-#include "solver/scene/scene_file.hpp"
+#include "solver/laws/scene_file.hpp"
 
 /// Small numerical experiments that studies and maps repeat with other settings.
 namespace slfb::studies {

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace slfb::coupling {
+namespace slfb::dem {
 namespace {
 
 constexpr double viscosity = 0.01, radius = 2.5e-3;
@@ -74,4 +74,4 @@ TEST(Lubrication, Dissipates) {
 }
 
 }  // namespace
-}  // namespace slfb::coupling
+}  // namespace slfb::dem

@@ -12,6 +12,7 @@
 #include "reports/gnuplot.hpp"
 #include "solver/dem/contact_reference.hpp"
 #include "solver/dem/engine.hpp"
+#include "solver/laws/make_engine.hpp"
 
 namespace slfb {
 namespace {
@@ -89,7 +90,7 @@ Outcome swing(const Method& method, int steps) {
     Contact contact = still;
     contact.integrator = method.integrator;
     contact.time_step = std::numbers::pi / frequency / (steps + fraction);
-    dem::Engine engine(contact, {{dem::Wall::Kind::plane, 2, 1.0, 0.0}}, {0, 0, 0}, 1);
+    dem::Engine engine = make_engine(contact, {{dem::Wall::Kind::plane, 2, 1.0, 0.0}}, {0, 0, 0}, 1);
     const auto exact = [&](int k, double time) {
       const double angle = frequency * time + 2.0 * std::numbers::pi * k / phases;
       return std::pair{radius - rest + amplitude * std::cos(angle), -amplitude * frequency * std::sin(angle)};
@@ -125,7 +126,7 @@ Outcome strike(const Impact& impact, const Method& method, int steps, const dem:
     Contact contact = contact_of(impact);
     contact.integrator = method.integrator;
     contact.time_step = contact_time / (steps + fraction);
-    dem::Engine engine(contact, {{dem::Wall::Kind::plane, 2, 1.0, 0.0}}, {0, 0, 0}, 1);
+    dem::Engine engine = make_engine(contact, {{dem::Wall::Kind::plane, 2, 1.0, 0.0}}, {0, 0, 0}, 1);
     for (int k = 0; k < phases; ++k) {
       const double gap = speed * contact.time_step * (1.0 + (k + 0.5) / phases);
       const std::size_t i = engine.add_particle({4.0 * radius * k, 0.0, radius + gap}, radius, density, 0);

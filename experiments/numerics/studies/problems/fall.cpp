@@ -6,6 +6,7 @@
 #include "solver/coupling/phase_coupling.hpp"
 #include "solver/dem/engine.hpp"
 #include "solver/fluid/liquid_solver.hpp"
+#include "solver/laws/make_engine.hpp"
 #include "solver/laws/user_law.hpp"
 #include "solver/run/one_particle.hpp"
 
@@ -61,7 +62,7 @@ TrialResult by_ode(const Scene& scene, const Parameters& parameters, int) {
 TrialResult by_simulation(const Scene& scene, const Parameters& parameters, int) {
   const Species& sphere = scene.species.front();
   const double width = scene.geometry.width[0];
-  dem::Engine engine(scene.contact, {}, {width, width, 0.0}, 1);
+  dem::Engine engine = make_engine(scene.contact, {}, {width, width, 0.0}, 1);
   std::unique_ptr<fluid::LiquidSolver> liquid;
   if (scene.fluid.tier != FluidTier::quiescent) liquid = std::make_unique<fluid::LiquidSolver>(scene);
   coupling::PhaseCoupling exchange(scene, liquid.get(), liquid ? 0.0 : scene.liquid.superficial_velocity);

@@ -6,6 +6,7 @@
 
 #include "experiments/numerics/studies/problems/problem_list.hpp"
 #include "solver/dem/engine.hpp"
+#include "solver/laws/make_engine.hpp"
 
 namespace slfb::studies {
 namespace {
@@ -21,7 +22,7 @@ TrialResult solve(const Scene& scene, const Parameters& parameters, int replicat
   Contact contact = scene.contact;
   contact.restitution = 1.0;
   contact.sliding_friction = contact.rolling_friction = 0.0;
-  dem::Engine engine(contact, {}, {length, length, length}, 1);
+  dem::Engine engine = make_engine(contact, {}, {length, length, length}, 1);
   std::mt19937_64 generator(static_cast<unsigned>(replicate) + 1);
   const auto uniform = [&] { return static_cast<double>(generator() >> 11) * 0x1p-52 - 1.0; };
   const auto site = [&](int k) { return (k + 0.5) * spacing - 0.5 * length; };

@@ -5,6 +5,7 @@
 
 #include "experiments/numerics/studies/problems/problem_list.hpp"
 #include "solver/dem/engine.hpp"
+#include "solver/laws/make_engine.hpp"
 
 namespace slfb::studies {
 namespace {
@@ -49,7 +50,7 @@ TrialResult solve(const Scene& scene, const Parameters& parameters, int) {
     Contact contact = given;
     contact.time_step = time_step;
     const auto with_spheres = [&] {
-      dem::Engine engine(contact, {{dem::Wall::Kind::plane, 2, 1.0, 0.0}}, {0, 0, 0}, 1);
+      dem::Engine engine = make_engine(contact, {{dem::Wall::Kind::plane, 2, 1.0, 0.0}}, {0, 0, 0}, 1);
       for (int k = 0; k < phases; ++k) {
         const double gap = speed * time_step * (1.0 + (k + 0.5) / phases);
         const std::size_t i = engine.add_particle({4.0 * radius * k, 0.0, radius + gap}, radius, sphere.density, 0);

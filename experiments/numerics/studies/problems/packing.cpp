@@ -9,12 +9,14 @@
 #include "experiments/numerics/studies/problems/problem_list.hpp"
 #include "solver/dem/engine.hpp"
 #include "solver/dem/walls.hpp"
+#include "solver/laws/make_engine.hpp"
 
 namespace slfb::studies {
 namespace {
 
 dem::Engine engine_of(const Scene& scene, const Contact& contact) {
-  return {contact, {dem::walls_of(scene).front()}, {scene.geometry.width[0], scene.geometry.width[1], 0.0}, 1};
+  return make_engine(contact, {dem::walls_of(scene).front()}, {scene.geometry.width[0], scene.geometry.width[1], 0.0},
+                     1);
 }
 
 void add_weight(dem::Engine& engine, const Scene& scene) {

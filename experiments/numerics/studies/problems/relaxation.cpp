@@ -8,6 +8,7 @@
 #include "solver/coupling/phase_coupling.hpp"
 #include "solver/dem/engine.hpp"
 #include "solver/fluid/liquid_solver.hpp"
+#include "solver/laws/make_engine.hpp"
 
 namespace slfb::studies {
 namespace {
@@ -40,7 +41,7 @@ TrialResult solve(const Scene& given, const Parameters& parameters, int) {
   const double time_step = stiffness > 0.0 ? stiffness * given.liquid.density / beta : 1.0 / (rate * steps);
   scene.fluid.time_step = scene.contact.time_step = time_step;
 
-  dem::Engine engine(scene.contact, {}, {0.0, 0.0, 0.0}, 1);
+  dem::Engine engine = make_engine(scene.contact, {}, {0.0, 0.0, 0.0}, 1);
   fluid::LiquidSolver liquid(scene);
   coupling::PhaseCoupling exchange(scene, &liquid);
   for (int k = 0; k < 10 * layers; ++k)

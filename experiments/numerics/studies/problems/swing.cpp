@@ -5,6 +5,7 @@
 #include "correlations/materials.hpp"
 #include "experiments/numerics/studies/problems/problem_list.hpp"
 #include "solver/dem/engine.hpp"
+#include "solver/laws/make_engine.hpp"
 
 namespace slfb::studies {
 namespace {
@@ -20,7 +21,7 @@ TrialResult solve(const Scene& scene, const Parameters& parameters, int) {
                frequency = std::sqrt(contact.stiffness / mass);
   // A millionth of the rest overlap may grow a thousandfold without the sphere losing the wall.
   const double amplitude = 1e-6 * rest;
-  dem::Engine engine(contact, {{dem::Wall::Kind::plane, 2, 1.0, 0.0}}, {0, 0, 0}, 1);
+  dem::Engine engine = make_engine(contact, {{dem::Wall::Kind::plane, 2, 1.0, 0.0}}, {0, 0, 0}, 1);
   for (int k = 0; k < phases; ++k) {
     const double angle = 2.0 * std::numbers::pi * k / phases;
     const std::size_t i = engine.add_particle({4.0 * radius * k, 0.0, radius - rest + amplitude * std::cos(angle)},

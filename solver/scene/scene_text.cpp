@@ -1,4 +1,4 @@
-#include "solver/scene/scene_file.hpp"
+#include "solver/scene/scene_text.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -15,19 +15,15 @@
 #include <sstream>
 #include <utility>
 
-#include "solver/laws/user_law.hpp"
+#include "solver/scene/overrides.hpp"
 #include "solver/scene/scene_checks.hpp"
 #include "solver/scene/scene_description.hpp"
 #include "solver/support/close_names.hpp"
 
-namespace slfb {
+namespace slfb::description {
 namespace {
 
-using description::Allowed;
-using description::Choice;
-using description::Presence;
-using description::Problems;
-using description::shortest;
+using units::shortest;
 
 /// " (did you mean ...?)" for a near miss, else nothing.
 std::string suggestion(std::string_view word, const std::vector<std::string>& known) {
@@ -45,112 +41,6 @@ std::string as_written(const toml::node& node) {
   std::ostringstream text;
   text << toml::toml_formatter(node, strings_on_one_line);
   return text.str();
-}
-
-// --- overrides -------------------------------------------------------------------------------------------------------
-
-struct PathSegment {
-  std::string key;
-  std::optional<std::size_t> index;
-};
-
-struct Override {
-  std::string text;  ///< "key=value"
-  std::string path;
-  std::vector<PathSegment> segments;
-  std::string value;
-  [[nodiscard]] std::string place() const { return "--set " + text; }
-};
-
-std::string trimmed(std::string text) {
-  const auto blank = [](unsigned char c) { return std::isspace(c) != 0; };
-  text.erase(std::find_if_not(text.rbegin(), text.rend(), blank).base(), text.end());
-  text.erase(text.begin(), std::find_if_not(text.begin(), text.end(), blank));
-  return text;
-}
-
-Override split_override(const std::string& text) {
-  const auto fail = [&](std::string_view what) {
-    return SceneError(
-        fmt::format("--set {}: {}; allowed is key=value with the dotted path of the scene file, for "
-                    "example \"contact.stiffness=1e3 N/m\" or \"stage[2].repetitions=5\"",
-                    text, what));
-  };
-  const auto equals = text.find('=');
-  if (equals == std::string::npos) throw fail("no \"=\"");
-  Override result{text, trimmed(text.substr(0, equals)), {}, trimmed(text.substr(equals + 1))};
-  std::istringstream path(result.path);
-  for (std::string part; std::getline(path, part, '.');) {
-    PathSegment segment{part, std::nullopt};
-    if (const auto bracket = part.find('['); bracket != std::string::npos) {
-      const auto digits = part.substr(bracket + 1, part.size() - bracket - 2);
-      if (part.back() != ']' || digits.empty() || digits.size() > 6 ||
-          !std::ranges::all_of(digits, [](unsigned char c) { return std::isdigit(c) != 0; })) {
-        throw fail("the index in the key is not [0], [1], …");
-      }
-      segment = {part.substr(0, bracket), std::stoul(digits)};
-    }
-    if (segment.key.empty()) throw fail("the key has an empty part");
-    result.segments.push_back(segment);
-  }
-  if (result.segments.empty() || result.path.back() == '.') throw fail("the key has an empty part");
-  if (result.segments.back().index) throw fail("the key names a whole table");
-  return result;
-}
-
-/// The value as TOML where it is TOML (numbers, booleans, arrays, quoted strings), else the bare text.
-void insert_value(toml::table& table, const std::string& key, const std::string& value) {
-  if (value.find('\n') == std::string::npos) {
-    try {
-      auto parsed = toml::parse("value = " + value);
-      table.insert_or_assign(key, std::move(*parsed.get("value")));
-      return;
-    } catch (const toml::parse_error&) {
-      // "1e3 N/m" or a word: the text is the value
-    }
-  }
-  table.insert_or_assign(key, value);
-}
-
-void apply_override(toml::table& root, const Override& change) {
-  const auto fail = [&](std::string_view what) {
-    return SceneError(fmt::format("{}: {} = {}: {}", change.place(), change.path, change.value, what));
-  };
-  toml::table* table = &root;
-  for (std::size_t i = 0; i + 1 < change.segments.size(); ++i) {
-    const auto& [key, index] = change.segments[i];
-    if (!table->contains(key) && !index) table->insert(key, toml::table{});
-    toml::node* node = table->get(key);
-    if (index) {
-      const toml::array* array = node != nullptr ? node->as_array() : nullptr;
-      const std::size_t size = array != nullptr ? array->size() : 0;
-      if (*index >= size) throw fail(fmt::format("the scene has {} [[{}]], counted from 0", size, key));
-      node = node->as_array()->get(*index);
-    }
-    table = node->as_table();
-    if (table == nullptr)
-      throw fail(fmt::format("\"{}\" is not a table; allowed is a path such as stage[2].duration", key));
-  }
-  const std::string& key = change.segments.back().key;
-  // An override speaks for the whole choice: count replaces total_mass and the other way round.
-  if (key == "count") table->erase("total_mass");
-  if (key == "total_mass") table->erase("count");
-  insert_value(*table, key, change.value);
-}
-
-/// An override of the contact law speaks for the whole choice: what the file says of another law goes.
-void forget_other_contact_law(toml::table& root, const std::vector<Override>& changes) {
-  toml::table* contact = root["contact"].as_table();
-  const auto change = std::find_if(changes.rbegin(), changes.rend(),
-                                   [](const Override& candidate) { return candidate.path == "contact.law"; });
-  if (contact == nullptr || change == changes.rend()) return;
-  const auto forget = [&](std::initializer_list<std::string_view> keys) {
-    for (const std::string_view key : keys) contact->erase(key);
-  };
-  const bool quoted = change->value.starts_with('"') && change->value.ends_with('"');
-  const std::string law = quoted ? change->value.substr(1, change->value.size() - 2) : change->value;
-  if (law == "hertz") forget({"stiffness", "tangential_stiffness_ratio", "tangential_damping_ratio"});
-  if (law == "linear") forget({"youngs_modulus", "poisson_ratio", "rigid_walls"});
 }
 
 // --- reading ---------------------------------------------------------------------------------------------------------
@@ -190,7 +80,7 @@ class Reader {
     }
   }
 
-  void text(const std::string& key, std::string& value, Presence presence) {
+  void text(const std::string& key, std::string& value, const Presence& presence) {
     const toml::node* node = look_up(key, presence, "a text in quotes");
     if (node == nullptr) return;
     if (const auto found = node->value_exact<std::string>()) {
@@ -200,7 +90,9 @@ class Reader {
     }
   }
 
-  void boolean(const std::string& key, bool& value, Presence presence) {
+  void law(const std::string& key, std::string& value, const Presence& presence) { text(key, value, presence); }
+
+  void boolean(const std::string& key, bool& value, const Presence& presence) {
     const toml::node* node = look_up(key, presence, "true or false");
     if (node == nullptr) return;
     if (const auto found = node->value_exact<bool>()) {
@@ -211,7 +103,7 @@ class Reader {
   }
 
   template <class Integer>
-  void integer(const std::string& key, Integer& value, const Allowed& allowed, Presence presence) {
+  void integer(const std::string& key, Integer& value, const Allowed& allowed, const Presence& presence) {
     const toml::node* node = look_up(key, presence, allowed.words);
     if (node == nullptr) return;
     const auto found = node->value_exact<std::int64_t>();
@@ -225,14 +117,14 @@ class Reader {
   }
 
   void number(const std::string& key, double& value, const units::Dimension& dimension, const Allowed&,
-              Presence presence) {
+              const Presence& presence) {
     if (const toml::node* node = look_up(key, presence, describe_quantity(dimension))) {
       read_quantity(key, *node, dimension, value);
     }
   }
 
   void pair(const std::string& key, std::array<double, 2>& value, const units::Dimension& dimension, const Allowed&,
-            Presence presence) {
+            const Presence& presence) {
     const std::string wanted = fmt::format("two values, for example [\"{0}\", \"{0}\"]", dimension.example);
     const toml::node* node = look_up(key, presence, wanted);
     if (node == nullptr) return;
@@ -246,7 +138,8 @@ class Reader {
   }
 
   template <class Enum, std::size_t N>
-  void choice(const std::string& key, Enum& value, const std::array<Choice<Enum>, N>& choices, Presence presence) {
+  void choice(const std::string& key, Enum& value, const std::array<Choice<Enum>, N>& choices,
+              const Presence& presence) {
     std::string wanted;
     for (const auto& known : choices) wanted += fmt::format("{}\"{}\"", wanted.empty() ? "" : " | ", known.word);
     const toml::node* node = look_up(key, presence, wanted);
@@ -262,8 +155,8 @@ class Reader {
 
   /// "count" or "total_mass"; a species with neither is only dropped.
   void particle_count(Species& species) {
-    integer("count", species.count, description::zero_to_a_billion, description::optional);
-    const toml::node* node = look_up("total_mass", description::optional, "");
+    integer("count", species.count, zero_to_a_billion, optional);
+    const toml::node* node = look_up("total_mass", optional, "");
     if (node == nullptr) return;
     if (find("count") != nullptr) {
       problems_.add(path("total_mass"), "", "stands beside count; allowed is one of the two");
@@ -406,9 +299,11 @@ class Reader {
 
 std::string toml_text(std::string_view text) { return as_written(toml::value<std::string>(std::string(text))); }
 
-/// Writes every key in the order of the description.
+/// Writes every key in the order of the description, a law as `law_name` makes it.
 class Writer {
  public:
+  explicit Writer(std::string (*law_name)(const std::string& law)) : law_name_(law_name) {}
+
   template <class Body>
   void section(const std::string& name, Body body) {
     out_ += fmt::format("[{}]\n", name);
@@ -421,39 +316,51 @@ class Writer {
       body(item);
     }
   }
-  void text(const std::string& key, const std::string& value, Presence presence) {
+  void text(const std::string& key, const std::string& value, const Presence& presence) {
     line(key, toml_text(value), presence);
   }
-  void boolean(const std::string& key, bool value, Presence presence) { line(key, value ? "true" : "false", presence); }
+  void law(const std::string& key, const std::string& value, const Presence& presence) {
+    text(key, law_name_(value), presence);
+  }
+  void boolean(const std::string& key, bool value, const Presence& presence) {
+    line(key, value ? "true" : "false", presence);
+  }
   template <class Integer>
-  void integer(const std::string& key, Integer value, const Allowed&, Presence presence) {
+  void integer(const std::string& key, Integer value, const Allowed&, const Presence& presence) {
     line(key, fmt::format("{}", value), presence);
   }
-  void number(const std::string& key, double value, const units::Dimension&, const Allowed&, Presence presence) {
+  void number(const std::string& key, double value, const units::Dimension&, const Allowed&, const Presence& presence) {
     line(key, shortest(value), presence);
   }
   void pair(const std::string& key, const std::array<double, 2>& value, const units::Dimension&, const Allowed&,
-            Presence presence) {
+            const Presence& presence) {
     line(key, fmt::format("[{}, {}]", shortest(value[0]), shortest(value[1])), presence);
   }
   template <class Enum, std::size_t N>
-  void choice(const std::string& key, Enum value, const std::array<Choice<Enum>, N>& choices, Presence presence) {
-    line(key, toml_text(description::word_of(value, choices)), presence);
+  void choice(const std::string& key, Enum value, const std::array<Choice<Enum>, N>& choices,
+              const Presence& presence) {
+    line(key, toml_text(word_of(value, choices)), presence);
   }
-  void particle_count(const Species& species) {
-    line("count", fmt::format("{}", species.count), description::required);
-  }
+  void particle_count(const Species& species) { line("count", fmt::format("{}", species.count), required); }
 
   [[nodiscard]] std::string take() { return std::move(out_); }
 
  private:
-  void line(const std::string& key, std::string_view value, Presence presence) {
+  void line(const std::string& key, std::string_view value, const Presence& presence) {
     if (presence.rule != Presence::Rule::meaningless && !presence.left_out)
       out_ += fmt::format("{} = {}\n", key, value);
   }
 
+  std::string (*law_name_)(const std::string& law);
   std::string out_;
 };
+
+std::string written(const Scene& scene, const SceneLaws& laws, std::string (*law_name)(const std::string& law)) {
+  Writer writer(law_name);
+  Scene copy = scene;
+  describe(writer, copy, laws);
+  return writer.take();
+}
 
 /// Numerics that the quiescent tier does not solve with may be left out.
 void fill_quiescent_defaults(Scene& scene) {
@@ -468,19 +375,8 @@ void fill_quiescent_defaults(Scene& scene) {
 
 }  // namespace
 
-Scene load_scene(const std::filesystem::path& file, const Overrides& overrides) {
-  std::ifstream stream(file, std::ios::binary);
-  std::ostringstream text;
-  const bool regular = std::filesystem::is_regular_file(file);
-  if (regular && stream && std::filesystem::file_size(file) == 0)
-    throw SceneError(fmt::format("{}: is empty; needed is a scene file (TOML)", file.string()));
-  if (!regular || !(text << stream.rdbuf())) {
-    throw SceneError(fmt::format("{}: cannot be read; needed is a scene file (TOML)", file.string()));
-  }
-  return parse_scene(text.str(), file.string(), overrides);
-}
-
-Scene parse_scene(const std::string& text, const std::string& origin, const Overrides& overrides) {
+Scene read_scene(const std::string& text, const std::string& origin, const std::vector<std::string>& overrides,
+                 const SceneLaws& laws) {
   toml::table root;
   try {
     root = toml::parse(text, origin);
@@ -489,45 +385,33 @@ Scene parse_scene(const std::string& text, const std::string& origin, const Over
     throw SceneError(
         fmt::format("{}:{}:{}: not valid TOML: {}", origin, begin.line, begin.column, error.description()));
   }
-  std::vector<Override> changes;
-  for (const std::string& change : overrides) changes.push_back(split_override(change));
-  forget_other_contact_law(root, changes);
-  for (const Override& change : changes) apply_override(root, change);
+  const std::vector<Override> changes = split_overrides(overrides);
+  apply_overrides(root, changes, laws);
 
   Problems problems(origin);
   Scene scene;
   Reader reader(root, changes, origin, problems);
-  description::describe(reader, scene);
+  describe(reader, scene, laws);
   reader.finish();
   problems.raise();
   fill_quiescent_defaults(scene);
-  description::check_scene(scene, problems);
+  check_scene(scene, problems, laws);
   return scene;
 }
 
-void validate_scene(const Scene& scene) {
-  Problems problems("scene");
-  description::check_scene(scene, problems);
+std::string canonical_text(const Scene& scene, const SceneLaws& laws) {
+  return written(scene, laws, [](const std::string& law) { return law; });
 }
 
-std::string canonical_toml(const Scene& scene) {
-  Writer writer;
-  Scene copy = scene;
-  description::describe(writer, copy);
-  return writer.take();
-}
-
-std::string scene_hash(const Scene& scene) {
+std::string hash_of(const Scene& scene, const SceneLaws& laws) {
   // What changes no result is left out.
   Scene physics = scene;
   physics.title.clear();
   physics.recording.checkpoint_interval = Recording{}.checkpoint_interval;
   physics.contact.allow_large_time_step = false;
-  // A law from outside the suite is what its file says, not where the file lies.
-  for (std::string* law : {&physics.coupling.drag_law, &physics.contact.law})
-    if (is_user_law(*law)) *law = user_law_hash(*law);
-  const std::string text = canonical_toml(physics) + fmt::format("numerics_version = {}\n", numerics_version);
+  const std::string text =
+      written(physics, laws, laws.identity) + fmt::format("numerics_version = {}\n", numerics_version);
   return fmt::format("{:016x}", XXH3_64bits(text.data(), text.size()));
 }
 
-}  // namespace slfb
+}  // namespace slfb::description

@@ -1,18 +1,13 @@
 #pragma once
 
 #include <filesystem>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
 #include "solver/scene/scene.hpp"
+#include "solver/scene/scene_problems.hpp"
 
 namespace slfb {
-
-/// A scene that cannot be run; what() reads "file:line: key = value: what is wrong; what is allowed".
-struct SceneError : std::runtime_error {
-  using std::runtime_error::runtime_error;
-};
 
 /// "key=value" of the command line; the key is the dotted path in the scene file, e.g. "contact.stiffness=1e3 N/m",
 /// "stage[2].repetitions=5" or "species[0].density=2300 kg/m3".
