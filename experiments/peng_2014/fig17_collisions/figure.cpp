@@ -8,6 +8,7 @@
 #include "correlations/drag/single_sphere/brown_lawler_2003.hpp"
 #include "correlations/fluidisation/bed_expansion.hpp"
 #include "correlations/fluidisation/terminal_velocity.hpp"
+#include "experiments/figures/figure_folder.hpp"
 #include "experiments/figures/figure_support.hpp"
 #include "experiments/peng_2014/figures.hpp"
 #include "experiments/peng_2014/paper_conditions.hpp"
@@ -15,6 +16,8 @@
 
 namespace slfb {
 namespace {
+
+const FigureFolder folder{"peng_2014/fig17_collisions"};
 
 /// Runs that stand for the one of the caption, which cannot exist: the nearest first.
 struct Substitute {
@@ -87,71 +90,29 @@ FigureOutput draw(const FigureContext& context) {
     description += fmt::format(", sampled every {:.2g} ms", 1e3 * sample_interval(run->result.drops.front()));
   }
 
-  output.caption = fmt::format(
-      "Above: contacts since the release and velocity of a foreign sphere from {:.2f} to {:.2f} s after its release{}. "
-      "Below: why the case of the paper's caption (5 in 5 mm, NaI solution, {:.2f} m/s) cannot exist: voidage of the "
-      "homogeneous bed of 5 mm glass in the NaI solution by three laws. It reaches 1 at the terminal velocity of one "
-      "sphere, {:.3f} m/s by Brown and Lawler's drag (dotted); at the caption's velocity (dashed) every sphere is "
-      "carried "
-      "out. The paper's curves are not available as numbers.",
-      window_begin, window_end,
-      run == nullptr ? "" : fmt::format(", {}: the nearest case that exists here", description), caption_velocity,
-      terminal);
-  if (run != nullptr) {
-    output.caption += fmt::format(" In this tenth of a second the sphere makes {:g} new contacts.",
-                                  history.rows.back()[1] - history.rows.front()[1]);
-  }
+  output.caption = folder.caption(
+      {{"begin", fmt::format("{:.2f}", window_begin)},
+       {"end", fmt::format("{:.2f}", window_end)},
+       {"case", run == nullptr ? "" : fmt::format(", {}: the nearest case that exists here", description)},
+       {"caption_velocity", fmt::format("{:.2f}", caption_velocity)},
+       {"terminal", fmt::format("{:.3f}", terminal)},
+       {"contacts", run == nullptr ? ""
+                                   : fmt::format("In this tenth of a second the sphere makes {:g} new contacts.",
+                                                 history.rows.back()[1] - history.rows.front()[1])}});
 
-  std::string script = fmt::format(
-      "set multiplot\nset lmargin at screen 0.14\nset rmargin at screen 0.97\nsplit = base + 0.44*(1 - base)\n"
-      "upper = 1 - 14.0/height\nmiddle = split + 0.62*(1 - split)\n"
-      "set xrange [{0:g}:{1:g}]\nset xtics 0.02\nset format x ''\nset tmargin at screen upper\nset bmargin at screen "
-      "middle\nset ylabel 'contacts [-]' offset 0.5,0\nset label 1 '{2}' at graph 0.02, 0.88 font ',12' textcolor rgb "
-      "{3}\n",
-      window_begin, window_end, run == nullptr ? "not yet simulated" : description, run == nullptr ? "quiet" : "ours");
-  if (run != nullptr) {
-    // Some room above the curve keeps it clear of the label.
-    script += fmt::format("set yrange [{:g}:{:g}]\nset ytics autofreq\n", history.rows.front()[1] - 1,
-                          history.rows.back()[1] + 1 + 0.3 * (history.rows.back()[1] - history.rows.front()[1]));
-    script += "plot 'fig17_history.csv' skip 1 using 1:2 with steps linestyle 2 linewidth 1.6 notitle\n";
-  } else {
-    script += "set yrange [430:510]\nset ytics 20\nplot NaN notitle\n";
-  }
-  script +=
-      "eval footer_drawn\nunset label 1\nset autoscale y\nset ytics autofreq\nset tmargin at screen middle - "
-      "12.0/height\n"
-      "set bmargin at screen split + 52.0/height\nset format x '%g'\nset xlabel 'time since release [s]' offset 0,0.3\n"
-      "set ylabel 'velocity [m/s]' offset 0.5,0\nset key bottom right horizontal font ',12'\n";
-  double lowest = 0.0;  // velocity; the key stands below it [m/s]
-  for (const auto& row : history.rows) lowest = std::min({lowest, row[2], row[3], row[4]});
-  script += run == nullptr
-                ? "set yrange [-0.5:0.5]\nplot NaN notitle\n"
-                : fmt::format("set yrange [{:.3f} : *]\n", lowest - 0.25) +
-                      "plot 'fig17_history.csv' skip 1 using 1:3 with lines linestyle 4 linewidth 1.4 title 'v_x', "
-                      "'' skip 1 using 1:4 with lines linestyle 3 linewidth 1.4 title 'v_y', "
-                      "'' skip 1 using 1:5 with lines linestyle 2 linewidth 1.8 title 'v_z'\n";
-  script += fmt::format(
-      "set tmargin at screen split - 22.0/height\nset bmargin at screen base + 58.0/height\nset xrange [0:0.23]\n"
-      "set xtics 0.05\nset yrange [0.35:1.05]\nset ytics 0.2\nset xlabel 'superficial velocity U_L of NaI solution "
-      "[m/s]'\n"
-      "set ylabel 'voidage α_L [-]'\nset key top left vertical Left reverse font ',12'\n"
-      "set arrow 1 from {0:g}, graph 0 to {0:g}, graph 1 nohead linestyle 1\n"
-      "set arrow 2 from {1:g}, graph 0 to {1:g}, graph 1 nohead linestyle 20\n"
-      "set label 2 'caption' at {0:g}, graph 0.70 rotate by 90 offset 0.9,0 font ',11'\n"
-      "set label 3 'terminal' at {1:g}, graph 0.70 rotate by 90 offset -0.8,0 font ',11' textcolor rgb quiet\n"
-      "plot 'fig17_expansion_in_sodium_iodide.csv' skip 1 using 1:2 with lines linestyle 13 title 'Eq. 36', "
-      "'' skip 1 using 1:3 with lines linestyle 12 title 'Wen and Yu', '' skip 1 using 1:4 with lines linestyle 14 "
-      "title "
-      "'Di Felice'\nunset multiplot\n",
-      caption_velocity, terminal);
-  draw_figure_of_runs("fig17", script, {540, 760}, context, keys, own_springs);
+  PlotValues values;
+  values.number("begin", window_begin);
+  values.number("end", window_end);
+  values.number("simulated", run == nullptr ? 0 : 1);
+  values.text("description", run == nullptr ? "not yet simulated" : description);
+  values.number("caption_velocity", caption_velocity);
+  values.number("terminal", terminal);
+  draw_plot_of_runs("fig17", folder.plot(), values, {540, 760}, context, keys, own_springs);
   return output;
 }
 
 }  // namespace
 
-Figure fig17() {
-  return {"fig17", "Contacts and velocity over a tenth of a second", needs, draw, "peng_2014/fig17_collisions"};
-}
+Figure fig17() { return {"fig17", folder.title(), needs, draw, folder.path().string()}; }
 
 }  // namespace slfb

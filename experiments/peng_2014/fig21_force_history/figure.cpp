@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "experiments/figures/figure_folder.hpp"
 #include "experiments/figures/figure_support.hpp"
 #include "experiments/peng_2014/figures.hpp"
 #include "experiments/peng_2014/paper_conditions.hpp"
@@ -15,6 +16,7 @@
 namespace slfb {
 namespace {
 
+const FigureFolder folder{"peng_2014/fig21_force_history"};
 constexpr const char* system_name = "6in5W";
 
 struct Panel {
@@ -55,71 +57,51 @@ DataTable force_history(const FinishedRun& run, double bed_top, const std::strin
 FigureOutput draw(const FigureContext& context) {
   const auto keys = needs(context.profile);
   const Peng2014& printed = peng_2014();
-  FigureOutput output{"fig21", {}, "", run_notes(context, keys)};
-  output.caption = fmt::format(
-      "Magnitude of the collision force on the 6 mm steel sphere over its weight, from entering the bed of 5 mm glass "
-      "to "
-      "the bottom, for the first drop at six superficial velocities. Above each panel: the "
-      "voidage of the paper's panel and of our bed. Dashed: the range {:g} to {:g} in which the paper sees the peaks. "
-      "Its "
-      "curves are not available as numbers.",
-      printed.value("peak_force_lowest"), printed.value("peak_force_highest"));
-  std::string script =
-      "set multiplot\nleft = 0.12\nright = 0.985\nwide = (right - left - 0.03)/2\ntop = 1 - 30.0/height\n"
-      "bottom = base + 58.0/height\ngap_y = 50.0/height\nhigh = (top - bottom - 2*gap_y)/3\nset yrange [0:60]\nset "
-      "ytics "
-      "20\nunset key\n"
-      "set label 2 'paper: peaks in this range' at graph 0.98, graph 0.89 right font ',10'\n";
+  const double lowest = printed.value("peak_force_lowest"), highest = printed.value("peak_force_highest");
+  FigureOutput output{
+      "fig21",
+      {},
+      folder.caption({{"lowest", fmt::format("{:g}", lowest)}, {"highest", fmt::format("{:g}", highest)}}),
+      run_notes(context, keys)};
   const auto own_springs = runs_with_own_springs(context.results);
   output.notes.push_back(springs_note(own_springs));
-  for (std::size_t place = 0; place < panels.size(); ++place) {
-    const Panel& panel = panels[place];
+  std::vector<std::string> headings, remarks, forces;
+  std::vector<double> ends;
+  for (const Panel& panel : panels) {
     const std::string tag = velocity_text(panel.superficial_velocity);
+    const auto voidage =
+        context.measurements.find(measure_key("voidage_centre_of_mass", system_name, panel.superficial_velocity));
+    headings.push_back(
+        fmt::format("U_L = {} m/s, α_L {:.2f} (paper), {} (ours)", tag, panel.voidage,
+                    voidage == context.measurements.end() ? "–" : fmt::format("{:.2f}", voidage->second.value)));
+    DataTable force;
     const FinishedRun* run = find_contact_run(context, own_springs, run_key(system_name, panel.superficial_velocity));
-    std::string plot, ours = "–", sampling;
-    if (const auto voidage =
-            context.measurements.find(measure_key("voidage_centre_of_mass", system_name, panel.superficial_velocity));
-        voidage != context.measurements.end())
-      ours = fmt::format("{:.2f}", voidage->second.value);
-    double end = 1.0;
     if (run != nullptr && !run->result.drops.empty()) {
       const auto top = context.measurements.find(measure_key("bed_top", system_name, panel.superficial_velocity));
-      const DataTable table =
-          force_history(*run, top == context.measurements.end() ? run->result.packed_height : top->second.value,
-                        "fig21_force_" + tag);
-      if (!table.rows.empty()) {
-        output.data.push_back(write_csv(table, context.out));
-        end = table.rows.back()[0];
-        sampling = fmt::format("sampled every {:.2g} ms", 1e3 * sample_interval(run->result.drops.front()));
-        plot = fmt::format(", '{}.csv' skip 1 using 1:2 with impulses linecolor rgb ours linewidth 0.8", table.name);
-      }
+      force = force_history(*run, top == context.measurements.end() ? run->result.packed_height : top->second.value,
+                            "fig21_force_" + tag);
     }
-    const std::size_t row = place / 2, column = place % 2;
-    script += fmt::format(
-        "set lmargin at screen left + {0}*(wide + 0.03)\nset rmargin at screen left + {0}*(wide + 0.03) + wide\n"
-        "set tmargin at screen top - {1}*(high + gap_y)\nset bmargin at screen top - {1}*(high + gap_y) - high\n"
-        "set title 'U_L = {2} m/s, α_L {3:.2f} (paper), {4} (ours)' font ',11' offset 0,-0.7\n"
-        "set label 1 '{5}' at graph 0.5, graph 0.6 center font ',11' textcolor rgb quiet\nset xrange [0:{6:.3f}]\nset "
-        "xtics "
-        "{9:g}\n{7}\n{8}\n",
-        column, row, tag, panel.voidage, ours, plot.empty() ? "not yet simulated" : sampling, end,
-        column == 0 ? "set format y '%g'\nset ylabel '|F_c|/mg [-]' offset -0.2,0" : "set format y ''\nunset ylabel",
-        row == 2 ? "set xlabel 'time since entering the bed [s]' offset 0,0.4" : "unset xlabel",
-        end > 5.0   ? 5.0
-        : end > 2.0 ? 1.0
-        : end > 1.0 ? 0.5
-                    : 0.2);
-    script +=
-        fmt::format("plot {:g} with lines linestyle 1 linewidth 0.8, {:g} with lines linestyle 1 linewidth 0.8{}\n",
-                    printed.value("peak_force_lowest"), printed.value("peak_force_highest"), plot);
-    if (place == 0) script += "eval footer_drawn\nunset label 2\n";
+    const bool simulated = !force.rows.empty();
+    if (simulated) output.data.push_back(write_csv(force, context.out));
+    forces.push_back(simulated ? force.name : "");
+    ends.push_back(simulated ? force.rows.back()[0] : 1.0);
+    remarks.push_back(simulated
+                          ? fmt::format("sampled every {:.2g} ms", 1e3 * sample_interval(run->result.drops.front()))
+                          : "not yet simulated");
   }
-  draw_figure_of_runs("fig21", script + "unset multiplot\n", {640, 620}, context, keys, own_springs);
+  PlotValues values;
+  values.number("lowest", lowest);
+  values.number("highest", highest);
+  values.markups("heading", headings);
+  values.texts("remark", remarks);
+  values.numbers("end", ends);
+  values.markups("force", forces);
+  draw_plot_of_runs("fig21", folder.plot(), values, {640, 620}, context, keys, own_springs);
   return output;
 }
 
 }  // namespace
 
-Figure fig21() { return {"fig21", "Collision force in time", needs, draw, "peng_2014/fig21_force_history"}; }
+Figure fig21() { return {"fig21", folder.title(), needs, draw, folder.path().string()}; }
 
 }  // namespace slfb

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include "correlations/collision/collision_force/peng_2014.hpp"
+#include "experiments/figures/figure_folder.hpp"
 #include "experiments/figures/figure_support.hpp"
 #include "experiments/peng_2014/figures.hpp"
 #include "experiments/peng_2014/paper_conditions.hpp"
@@ -9,6 +10,7 @@
 namespace slfb {
 namespace {
 
+const FigureFolder folder{"peng_2014/fig24_force_and_voidage"};
 constexpr const char* system_name = "6in5W";
 
 bool wanted(const RunSpec& spec) { return spec.system == system_name && spec.superficial_velocity > 0.055; }
@@ -17,17 +19,7 @@ std::vector<std::string> needs(const Profile& profile) { return select_run_keys(
 
 FigureOutput draw(const FigureContext& context) {
   const auto keys = needs(context.profile);
-  FigureOutput output{"fig24", {}, "", run_notes(context, keys)};
-  output.caption =
-      "Mean collision force on the 6 mm steel sphere in the bed of 5 mm glass over its weight, against the voidage of "
-      "the "
-      "bed. Dashed black: the paper's correlation (Eq. 40); shaded: 10 and 20 % about it, in which the paper finds "
-      "most "
-      "and all of its points. Filled symbols: mean of the magnitude of the contact force, from entering the bed to the "
-      "bottom, with 95 % intervals. Open diamonds: magnitude of the mean force over the same time, the other reading "
-      "of "
-      "the symbol. The paper's points are not available as numbers.";
-
+  FigureOutput output{"fig24", {}, folder.caption(), run_notes(context, keys)};
   const double most = peng_2014().value("equation_40_most");
   const double all = peng_2014().value("equation_40_all");
   DataTable correlation{
@@ -40,36 +32,21 @@ FigureOutput draw(const FigureContext& context) {
   }
   output.data.push_back(write_csv(correlation, context.out));
 
-  const std::string magnitude =
-      plot_variants_against_bed("collision_force_ratio", "mean of the magnitude over weight [-]", system_name,
-                                BedAbscissa::voidage, context, output);
-  DataTable table = against_bed(context, "collision_force_ratio_of_mean", "magnitude of the mean over weight [-]",
-                                system_name, "", BedAbscissa::voidage);
-  std::string of_mean;
-  if (!table.rows.empty()) {
-    table.name = "fig24_" + table.name;
-    output.data.push_back(write_csv(table, context.out));
-    of_mean = fmt::format(
-        ", {}'{}.csv' skip 1 using 2:4 with points linestyle 2 pointtype 12 pointsize 0.9 title "
-        "'magnitude of the mean force'",
-        error_bars(table, {2, 4, 5}, "yerrorbars", 2), table.name);
-  }
-  const std::string script =
-      "set key tmargin left vertical maxrows 6 Left reverse font ',12'\nset xrange [0.4:1]\nset yrange [0:1.25]\n"
-      "set ytics 0.25\nset xlabel 'voidage α_L [-]'\nset ylabel 'collision force over weight, |F_c|/mg [-]'\n"
-      "set style fill transparent solid 0.09 noborder\n"
-      "plot 'fig24_equation_40.csv' skip 1 using 1:5:6 with filledcurves linecolor rgb paper notitle, "
-      "'' skip 1 using 1:3:4 with filledcurves linecolor rgb paper notitle, "
-      "'' skip 1 using 1:2 with lines linestyle 1 title 'paper, Eq. 40, with 10 and 20 %'" +
-      magnitude + of_mean + "\n";
-  draw_figure_of_runs("fig24", script, {520, 480}, context, keys);
+  PlotValues values;
+  add_series("mean_of_magnitude",
+             variants_against_bed("fig24", "collision_force_ratio", "mean of the magnitude over weight [-]",
+                                  system_name, BedAbscissa::voidage, context),
+             values, context, output);
+  DataTable of_mean = against_bed(context, "collision_force_ratio_of_mean", "magnitude of the mean over weight [-]",
+                                  system_name, "", BedAbscissa::voidage);
+  of_mean.name = "fig24_" + of_mean.name;
+  add_series("magnitude_of_mean", {{std::move(of_mean), "magnitude of the mean force", 2}}, values, context, output);
+  draw_plot_of_runs("fig24", folder.plot(), values, {520, 480}, context, keys);
   return output;
 }
 
 }  // namespace
 
-Figure fig24() {
-  return {"fig24", "Collision force against the voidage, and Eq. 40", needs, draw, "peng_2014/fig24_force_and_voidage"};
-}
+Figure fig24() { return {"fig24", folder.title(), needs, draw, folder.path().string()}; }
 
 }  // namespace slfb

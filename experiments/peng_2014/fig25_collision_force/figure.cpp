@@ -5,6 +5,7 @@
 #include "correlations/collision/collision_force/grbavcic_2009.hpp"
 #include "correlations/collision/collision_force/peng_2014.hpp"
 #include "correlations/collision/collision_force/van_der_wielen_1996.hpp"
+#include "experiments/figures/figure_folder.hpp"
 #include "experiments/figures/figure_support.hpp"
 #include "experiments/peng_2014/fig25_collision_force/collision_force_laws.hpp"
 #include "experiments/peng_2014/figures.hpp"
@@ -14,6 +15,7 @@
 namespace slfb {
 namespace {
 
+const FigureFolder folder{"peng_2014/fig25_collision_force"};
 constexpr const char* system_name = "6in5W";
 
 bool wanted(const RunSpec& spec) { return spec.system == system_name && spec.superficial_velocity > 0.055; }
@@ -22,27 +24,16 @@ std::vector<std::string> needs(const Profile& profile) { return select_run_keys(
 
 FigureOutput draw(const FigureContext& context) {
   const auto keys = needs(context.profile);
-  FigureOutput output{"fig25", {}, "", run_notes(context, keys)};
-  output.caption =
-      "Mean collision force on the 6 mm steel sphere in the bed of 5 mm glass, over its weight. Dashed black: the "
-      "paper's "
-      "correlation, Eq. 40. Small diamonds: van der Wielen's force with the 18 velocities of Table 2, at the voidage "
-      "that "
-      "Eq. 36 gives for their superficial velocity. Shaded: Grbavčić's force between f = 1 (none) and f = 0, with the "
-      "foreign sphere or with the bed spheres in Eq. 14, since neither the function f nor that choice is known. Filled "
-      "symbols: our runs with 95 % intervals (mean magnitude of the contact force from entering the bed to the "
-      "bottom).";
-
+  FigureOutput output{"fig25", {}, folder.caption(), run_notes(context, keys)};
   output.data.push_back(write_csv(collision_force_laws("fig25"), context.out));
   output.data.push_back(write_csv(van_der_wielen_of_table_2("fig25_van_der_wielen"), context.out));
 
-  const std::string simulated = plot_variants_against_bed("collision_force_ratio", "force over weight [-]", system_name,
-                                                          BedAbscissa::voidage, context, output);
-  const std::string script =
-      "set key tmargin left vertical maxrows 9 Left reverse font ',12'\nset xrange [0.4:1]\nset yrange [0:1.25]\nset "
-      "ytics 0.25\n" +
-      collision_force_plot("fig25") + simulated + "\n";
-  draw_figure_of_runs("fig25", script, {520, 520}, context, keys);
+  PlotValues values;
+  add_series("simulated",
+             variants_against_bed("fig25", "collision_force_ratio", "force over weight [-]", system_name,
+                                  BedAbscissa::voidage, context),
+             values, context, output);
+  draw_plot_of_runs("fig25", folder.plot(), values, {520, 520}, context, keys);
   return output;
 }
 
@@ -93,9 +84,6 @@ std::string collision_force_plot(const std::string& name) {
       name);
 }
 
-Figure fig25() {
-  return {"fig25", "Collision force on the foreign particle against the voidage", needs, draw,
-          "peng_2014/fig25_collision_force"};
-}
+Figure fig25() { return {"fig25", folder.title(), needs, draw, folder.path().string()}; }
 
 }  // namespace slfb
