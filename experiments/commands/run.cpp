@@ -20,6 +20,7 @@
 #include "experiments/runs/run_files.hpp"
 #include "solver/coupling/drag_relaxation.hpp"
 #include "solver/laws/scene_file.hpp"
+#include "solver/laws/user_law.hpp"
 #include "solver/support/folders.hpp"
 
 namespace slfb {
@@ -81,7 +82,7 @@ int print_plan(const Options& options, const Scene& scene) {
   line("liquid cells", fmt::format("{}", estimate.liquid_cells));
   line("steps per contact", fmt::format("{:.1f} of {:.3g} s", estimate.steps_per_contact, scene.contact.time_step));
   line("bound of the step", fmt::format("{:.3g} s (1/ω_0 of the stiffest pair)", estimate.time_step_bound));
-  const double relaxation = coupling::packed_relaxation_time(scene);
+  const double relaxation = coupling::packed_relaxation_time(scene, find_drag_law(scene.coupling.drag_law));
   line("liquid step", fmt::format("{:.3g} s", scene.fluid.time_step) +
                           (scene.fluid.time_step > relaxation
                                ? fmt::format(", longer than the {:.2g} s in which drag stops a sphere of the packed "

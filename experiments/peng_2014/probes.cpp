@@ -8,9 +8,10 @@
 #include "solver/coupling/phase_coupling.hpp"
 #include "solver/dem/engine.hpp"
 #include "solver/dem/walls.hpp"
-#include "solver/fluid/liquid_solver.hpp"
+#include "solver/fluid/liquid.hpp"
 #include "solver/laws/make_engine.hpp"
 #include "solver/laws/scene_file.hpp"
+#include "solver/laws/user_law.hpp"
 #include "solver/support/folders.hpp"
 
 namespace slfb {
@@ -60,7 +61,9 @@ double terminal_velocity(Scene scene) {
   scene.fluid.tier = FluidTier::quiescent;
   dem::Engine engine = make_engine(scene.contact, {}, unbounded, 1);
   add_bed_sphere(engine, scene, {0.0, 0.0, 0.0});
-  coupling::PhaseCoupling exchange(scene, nullptr, 0.0);
+  scene.liquid.superficial_velocity = 0.0;
+  const auto liquid = fluid::make_liquid(scene);
+  coupling::PhaseCoupling exchange(scene, *liquid, find_drag_law(scene.coupling.drag_law));
   const auto substeps = std::llround(scene.fluid.time_step / scene.contact.time_step);
   for (auto k = std::llround(3.0 / scene.fluid.time_step); k > 0; --k) {
     exchange.advance(engine, scene.fluid.time_step);
@@ -81,12 +84,12 @@ double frozen_bed_gradient(Scene scene) {
   for (double z = 0.5 * spacing; z < scene.geometry.height; z += spacing)
     for (double y = -0.009; y < 0.012; y += spacing)
       for (double x = -0.009; x < 0.012; x += spacing) add_bed_sphere(engine, scene, {x, y, z});
-  fluid::LiquidSolver liquid(scene);
-  coupling::PhaseCoupling exchange(scene, &liquid);
+  const auto liquid = fluid::make_liquid(scene);
+  coupling::PhaseCoupling exchange(scene, *liquid, find_drag_law(scene.coupling.drag_law));
   // The spheres do not move: a few steps bring the liquid to rest in time.
   for (int step = 0; step < 5; ++step) exchange.advance(engine, scene.fluid.time_step);
-  const auto layers = liquid.pressure().size();
-  return (liquid.pressure().front() - liquid.pressure().back()) /
+  const auto layers = liquid->pressure().size();
+  return (liquid->pressure().front() - liquid->pressure().back()) /
          (scene.fluid.cell_height * static_cast<double>(layers - 1));
 }
 

@@ -3,13 +3,11 @@
 #include <algorithm>
 #include <limits>
 
-#include "solver/laws/user_law.hpp"
-
 namespace slfb::coupling {
 
-double packed_relaxation_time(const Scene& scene) {
+double packed_relaxation_time(const Scene& scene, const drag::DragLawKernels& drag_law) {
   constexpr double packed_voidage = 0.4, creeping = 1e-3;
-  const double drag = find_drag_law(scene.coupling.drag_law)({packed_voidage, creeping});
+  const double drag = drag_law({packed_voidage, creeping});
   double time = std::numeric_limits<double>::infinity();
   for (const Species& species : scene.species)
     if (species.count > 0)

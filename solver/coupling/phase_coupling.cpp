@@ -4,9 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "correlations/materials.hpp"
-#include "solver/laws/user_law.hpp"
 #include "solver/support/stopwatch.hpp"
 
 namespace slfb::coupling {
@@ -20,24 +20,19 @@ double largest_radius(const Scene& scene) {
 
 }  // namespace
 
-PhaseCoupling::PhaseCoupling(const Scene& scene, fluid::LiquidSolver* liquid, double prescribed_velocity)
+PhaseCoupling::PhaseCoupling(const Scene& scene, fluid::Liquid& liquid, const drag::DragLawKernels& drag_law)
     : scene_(scene),
       liquid_(liquid),
-      prescribed_velocity_(prescribed_velocity),
-      at_centres_(liquid != nullptr && scene.coupling.interpolation != Interpolation::shares),
-      further_(scene, scene.fluid.time_step) {
-  if (liquid != nullptr) {
-    shares_.emplace(scene.coupling.void_fraction, scene.coupling.meshing_pieces, liquid->grid(), largest_radius(scene));
-    smoothing_.emplace(liquid->grid(), scene.coupling.smoothing_length);
-    if (at_centres_ || further_.need_gradients())
-      point_values_.emplace(liquid->grid(), scene.coupling.interpolation, scene.fluid.wall == LateralBoundary::no_slip);
-  }
-  // One indirect call per block of spheres; the law itself is inlined in the loop over them.
-  law_ = [kernel = find_drag_law(scene.coupling.drag_law).drag](
-             std::span<const double> voidage, std::span<const double> reynolds, std::span<double> result) {
-    kernel(voidage.data(), reynolds.data(), result.data(), voidage.size());
-  };
-}
+      law_(drag_law.drag),
+      shares_(liquid.two_way() ? scene.coupling.void_fraction : VoidFractionScheme::centroid,
+              scene.coupling.meshing_pieces, liquid.grid(),
+              liquid.two_way() ? largest_radius(scene) : std::numeric_limits<double>::infinity()),
+      smoothing_(liquid.grid(), liquid.two_way() ? scene.coupling.smoothing_length : 0.0),
+      point_values_(liquid.grid(), scene.coupling.interpolation, scene.fluid.wall == LateralBoundary::no_slip),
+      further_(scene, scene.fluid.time_step),
+      at_centres_(liquid.two_way() && scene.coupling.interpolation != Interpolation::shares),
+      corrects_disturbance_(liquid.two_way() && further_.corrects_disturbance()),
+      implicit_(liquid.two_way() && scene.coupling.exchange == MomentumExchange::implicit) {}
 
 void PhaseCoupling::resize(std::size_t n) {
   for (auto* field : {&volume_, &voidage_, &reynolds_, &coefficient_, &damped_coefficient_, &next_coefficient_,
@@ -87,19 +82,19 @@ void PhaseCoupling::restore(const NamedFields& state, const dem::Particles& part
   interval_end_ = field_of(state, "interval/liquid_at_end");
   interval_centres_ = {field_of(state, "interval/centre_x"), field_of(state, "interval/centre_y"),
                        field_of(state, "interval/centre_z")};
-  shares_->update(interval_centres_, particles.radius, 1);
+  shares_.update(interval_centres_, particles.radius, 1);
 }
 
 /// The liquid at the end of an interval, from where the spheres will then be; after a sphere has been put in or taken
 /// out an interval of a single step, which displaces nothing.
 void PhaseCoupling::start_interval(const dem::Engine& engine, double time_step) {
   const dem::Particles& particles = engine.particles;
-  const fluid::ColumnGrid& grid = liquid_->grid();
+  const fluid::ColumnGrid& grid = liquid_.grid();
   velocity_is_gathered_ = false;
   interval_step_ = 0;
   interval_steps_ = liquid_before_.empty() ? 1 : steps_per_interval();
   if (steps_per_interval() == 1) {
-    shares_->update(particles, engine.threads());
+    shares_.update(particles, engine.threads());
   } else {
     const double ahead = (interval_steps_ - 1) * time_step;
     interval_centres_ = particles.position;
@@ -108,10 +103,10 @@ void PhaseCoupling::start_interval(const dem::Engine& engine, double time_step) 
       interval_centres_.y[i] += ahead * particles.velocity.y[i];
       interval_centres_.z[i] += ahead * particles.velocity.z[i];
     }
-    shares_->update(interval_centres_, particles.radius, engine.threads());
+    shares_.update(interval_centres_, particles.radius, engine.threads());
   }
-  shares_->scatter<1>({&volume_}, {&solid_}, engine.threads());
-  smoothing_->scatter(solid_, engine.threads());
+  shares_.scatter<1>({&volume_}, {&solid_}, engine.threads());
+  smoothing_.scatter(solid_, engine.threads());
   interval_end_.resize(grid.size());
   const auto layers = static_cast<std::size_t>(grid.layers());
 #pragma omp parallel for num_threads(engine.threads()) schedule(static)
@@ -127,7 +122,13 @@ void PhaseCoupling::start_interval(const dem::Engine& engine, double time_step) 
 
 void PhaseCoupling::update_void_fraction(const dem::Engine& engine, double time_step) {
   const Stopwatch stopwatch(void_fraction_seconds_);
-  const fluid::ColumnGrid& grid = liquid_->grid();
+  const fluid::ColumnGrid& grid = liquid_.grid();
+  if (!liquid_.two_way()) {  // every sphere is alone in it
+    velocity_is_gathered_ = false;
+    shares_.update(engine.particles, engine.threads());
+    for (CellValues& cell : cells_) cell.value[CellValues::voidage] = 1.0;
+    return;
+  }
   if (interval_step_ >= interval_steps_ || interval_end_.empty()) start_interval(engine, time_step);
   ++interval_step_;
   const double done = static_cast<double>(interval_step_) / interval_steps_;
@@ -148,7 +149,7 @@ void PhaseCoupling::update_void_fraction(const dem::Engine& engine, double time_
 #pragma omp simd
     for (std::size_t k = 0; k < layers; ++k) voidage[k] = liquid[k] / volume;
   }
-  smoothing_->gather(cell_scratch_, engine.threads());
+  smoothing_.gather(cell_scratch_, engine.threads());
 #pragma omp parallel for num_threads(engine.threads()) schedule(static)
   for (std::size_t c = 0; c < grid.size(); ++c) cells_[c].value[CellValues::voidage] = cell_scratch_[c];
   if (liquid_before_.empty()) liquid_before_ = liquid_now_;
@@ -156,9 +157,9 @@ void PhaseCoupling::update_void_fraction(const dem::Engine& engine, double time_
 
 /// Velocity and stress of the liquid, cell by cell.
 void PhaseCoupling::read_liquid(int threads) {
-  liquid_->gather(cell_velocity_, cell_stress_);
+  liquid_.gather(cell_velocity_, cell_stress_);
   for (auto* fields : {&cell_velocity_, &cell_stress_})
-    for (auto& field : *fields) smoothing_->gather(field, threads);
+    for (auto& field : *fields) smoothing_.gather(field, threads);
 #pragma omp parallel for num_threads(threads) schedule(static)
   for (std::size_t c = 0; c < cells_.size(); ++c)
     for (std::size_t a = 0; a < 3; ++a) {
@@ -186,29 +187,26 @@ void PhaseCoupling::read_at_spheres(const dem::Engine& engine, double time_step)
     for (std::size_t i = begin; i < end; ++i) {
       std::array<double, 8>& value = values[i - begin];
       value = {};
-      if (liquid_ == nullptr) {
-        value[CellValues::voidage] = 1.0;
-        value[CellValues::velocity_z] = prescribed_velocity_;
-      } else if (gathered) {
-        value[CellValues::voidage] = shares_->gather(i, cell_scratch_);
+      if (gathered) {
+        value[CellValues::voidage] = shares_.gather(i, cell_scratch_);
         for (std::size_t a = 0; a < 3; ++a) value[CellValues::velocity_x + a] = liquid_velocity_[a][i];
       } else {
-        const std::uint32_t* cell = shares_->cells(i);
-        const double* share = shares_->shares(i);
-        for (int m = 0; m < shares_->count(i); ++m)
+        const std::uint32_t* cell = shares_.cells(i);
+        const double* share = shares_.shares(i);
+        for (int m = 0; m < shares_.count(i); ++m)
           for (std::size_t f = 0; f < 8; ++f) value[f] += share[m] * cells_[cell[m]].value[f];
       }
       std::array<double, 3> u{value[CellValues::velocity_x], value[CellValues::velocity_y],
                               value[CellValues::velocity_z]};
       if (at_centres_) {
-        const auto at_centre = point_values_->at(particles.position.at(i), cells_);
+        const auto at_centre = point_values_.at(particles.position.at(i), cells_);
         value[CellValues::voidage] = at_centre[0];
         for (std::size_t a = 0; a < 3; ++a) {
           velocity_correction_[a][i] = at_centre[a + 1] - u[a];
           u[a] = at_centre[a + 1];
         }
       }
-      if (liquid_ != nullptr && further_.corrects_disturbance()) {
+      if (corrects_disturbance_) {
         const dem::Vec3 own = further_.self_induced(i);
         const std::array<double, 3> induced{own.x, own.y, own.z};
         for (std::size_t a = 0; a < 3; ++a) {
@@ -223,8 +221,8 @@ void PhaseCoupling::read_at_spheres(const dem::Engine& engine, double time_step)
       reynolds_[i] = density * 2.0 * particles.radius[i] * voidage_[i] * std::sqrt(x * x + y * y + z * z) / viscosity;
     }
     const std::size_t count = end - begin;
-    law_(std::span(voidage_).subspan(begin, count), std::span(reynolds_).subspan(begin, count),
-         std::span(coefficient_).subspan(begin, count));
+    // One indirect call per block of spheres; the law itself is inlined in the loop over them.
+    law_(&voidage_[begin], &reynolds_[begin], &coefficient_[begin], count);
     for (std::size_t i = begin; i < end; ++i) {
       const std::array<double, 8>& value = values[i - begin];
       const double volume = volume_[i], per_inertia = time_step / particles.inertial_mass(i);
@@ -250,6 +248,7 @@ void PhaseCoupling::read_at_spheres(const dem::Engine& engine, double time_step)
 /// The stress that is in v' acts through the drag on the liquid: the liquid is solved with it. Taken from before the
 /// step it would be returned amplified by up to (1 − α)/α, and grow without bound where the drag is stiff.
 void PhaseCoupling::give_to_liquid(const dem::Engine& engine, double time_step) {
+  if (!liquid_.two_way()) return;
   const bool explicit_exchange = scene_.coupling.exchange == MomentumExchange::explicit_in_time;
   const bool corrected = slip_is_corrected();
   const auto n = static_cast<std::int64_t>(coefficient_.size());
@@ -265,11 +264,11 @@ void PhaseCoupling::give_to_liquid(const dem::Engine& engine, double time_step) 
     if (further_.any())
       for (std::size_t a = 0; a < 3; ++a) momentum_[a][i] += further_reaction_[a][i];
   }
-  shares_->scatter<5>({&damped_coefficient_, &momentum_[0], &momentum_[1], &momentum_[2], &stressed_volume_},
-                      {&scattered_[0], &scattered_[1], &scattered_[2], &scattered_[3], &scattered_[4]},
-                      engine.threads());
-  for (auto& field : scattered_) smoothing_->scatter(field, engine.threads());
-  liquid_->scatter(scattered_, exchange_);
+  shares_.scatter<5>({&damped_coefficient_, &momentum_[0], &momentum_[1], &momentum_[2], &stressed_volume_},
+                     {&scattered_[0], &scattered_[1], &scattered_[2], &scattered_[3], &scattered_[4]},
+                     engine.threads());
+  for (auto& field : scattered_) smoothing_.scatter(field, engine.threads());
+  liquid_.scatter(scattered_, exchange_);
 }
 
 /// The drag at the liquid's new velocity, and all that the liquid does to the spheres, as a constant force.
@@ -284,14 +283,10 @@ void PhaseCoupling::give_to_spheres(dem::Engine& engine, double time_step) {
   for (std::int64_t k = 0; k < n; ++k) {
     const auto i = static_cast<std::size_t>(k);
     std::array<double, 8> value{};
-    value[CellValues::velocity_z] = prescribed_velocity_;
-    if (liquid_ != nullptr) {
-      value[CellValues::velocity_z] = 0.0;
-      const std::uint32_t* cell = shares_->cells(i);
-      const double* share = shares_->shares(i);
-      for (int m = 0; m < shares_->count(i); ++m)
-        for (std::size_t f = 0; f < 8; ++f) value[f] += share[m] * cells_[cell[m]].value[f];
-    }
+    const std::uint32_t* cell = shares_.cells(i);
+    const double* share = shares_.shares(i);
+    for (int m = 0; m < shares_.count(i); ++m)
+      for (std::size_t f = 0; f < 8; ++f) value[f] += share[m] * cells_[cell[m]].value[f];
     const double volume = volume_[i];
     for (std::size_t a = 0; a < 3; ++a) {
       double u = value[CellValues::velocity_x + a];
@@ -307,7 +302,7 @@ void PhaseCoupling::give_to_spheres(dem::Engine& engine, double time_step) {
     }
     (*external[2])[i] -= gravitational_acceleration * (particles.mass[i] - scene_.liquid.density * volume);
   }
-  velocity_is_gathered_ = liquid_ != nullptr;
+  velocity_is_gathered_ = true;
 }
 
 /// β at the slip that the last pass has found; returns the largest relative change of K.
@@ -320,7 +315,7 @@ double PhaseCoupling::update_coefficient(const dem::Engine& engine, double time_
     for (std::size_t a = 0; a < 3; ++a) squared += drag_[a][i] * drag_[a][i];
     reynolds_[i] = density * 2.0 * particles.radius[i] * voidage_[i] * std::sqrt(squared) / coefficient_[i] / viscosity;
   }
-  law_(voidage_, reynolds_, next_coefficient_);
+  law_(voidage_.data(), reynolds_.data(), next_coefficient_.data(), voidage_.size());
   double change = 0.0;
   for (std::size_t i = 0; i < particles.size(); ++i) {
     const double coefficient =
@@ -339,26 +334,19 @@ void PhaseCoupling::advance(dem::Engine& engine, double time_step) {
 #pragma omp parallel for num_threads(engine.threads()) schedule(static)
   for (std::size_t i = 0; i < n; ++i) volume_[i] = engine.particles.volume(i);
   passes_ = 1;
-  if (liquid_ == nullptr) {
-    if (further_.any()) apply_further_forces(engine);
-    read_at_spheres(engine, time_step);
-    give_to_spheres(engine, time_step);
-    return;
-  }
-  cells_.resize(liquid_->grid().size());
+  cells_.resize(liquid_.grid().size());
   update_void_fraction(engine, time_step);
   if (!cells_valid_) read_liquid(engine.threads());
   if (further_.any()) apply_further_forces(engine);
   read_at_spheres(engine, time_step);
-  const bool implicit = scene_.coupling.exchange == MomentumExchange::implicit;
   NamedFields start;
-  if (implicit) start = liquid_->state();
+  if (implicit_) start = liquid_.state();
   for (;; ++passes_) {
     give_to_liquid(engine, time_step);
-    liquid_->advance(time_step, liquid_before_, liquid_now_, exchange_);
+    liquid_.advance(time_step, liquid_before_, liquid_now_, exchange_);
     read_liquid(engine.threads());
     give_to_spheres(engine, time_step);
-    if (!implicit) break;
+    if (!implicit_) break;
     constexpr double tolerance = 1e-6;
     constexpr int most_passes = 50;
     const double change = update_coefficient(engine, time_step);
@@ -367,10 +355,10 @@ void PhaseCoupling::advance(dem::Engine& engine, double time_step) {
       throw fluid::FluidError(
           fmt::format("implicit exchange: after {} passes the drag of a sphere still changes by {:.3g} of itself",
                       passes_, change));
-    liquid_->restore(start);
+    liquid_.restore(start);
   }
   std::swap(liquid_before_, liquid_now_);
-  if (!further_.corrects_disturbance()) return;
+  if (!corrects_disturbance_) return;
   for (std::size_t i = 0; i < n; ++i) {
     const auto v = engine.particles.velocity.at(i);
     const double slip =
@@ -381,12 +369,12 @@ void PhaseCoupling::advance(dem::Engine& engine, double time_step) {
 
 /// Σ φ²/V_c of a sphere's shares [1/m³].
 double PhaseCoupling::own_concentration(std::size_t i) const {
-  const auto layers = static_cast<std::size_t>(liquid_->grid().layers());
-  const std::uint32_t* cell = shares_->cells(i);
-  const double* share = shares_->shares(i);
+  const auto layers = static_cast<std::size_t>(liquid_.grid().layers());
+  const std::uint32_t* cell = shares_.cells(i);
+  const double* share = shares_.shares(i);
   double sum = 0.0;
-  for (int m = 0; m < shares_->count(i); ++m)
-    sum += share[m] * share[m] / liquid_->grid().volume(static_cast<int>(cell[m] / layers));
+  for (int m = 0; m < shares_.count(i); ++m)
+    sum += share[m] * share[m] / liquid_.grid().volume(static_cast<int>(cell[m] / layers));
   return sum;
 }
 
@@ -395,17 +383,14 @@ void PhaseCoupling::apply_further_forces(dem::Engine& engine) {
   dem::Particles& particles = engine.particles;
   const std::size_t n = particles.size();
   for (std::size_t i = 0; i < n; ++i) {
-    std::array<double, 3> u{0.0, 0.0, prescribed_velocity_};
-    if (liquid_ != nullptr) {
-      const std::uint32_t* cell = shares_->cells(i);
-      const double* share = shares_->shares(i);
-      u = {};
-      for (int m = 0; m < shares_->count(i); ++m)
-        for (std::size_t a = 0; a < 3; ++a) u[a] += share[m] * cells_[cell[m]].value[CellValues::velocity_x + a];
-      if (at_centres_) {
-        const auto at_centre = point_values_->at(particles.position.at(i), cells_);
-        std::copy_n(at_centre.begin() + 1, 3, u.begin());
-      }
+    std::array<double, 3> u{};
+    const std::uint32_t* cell = shares_.cells(i);
+    const double* share = shares_.shares(i);
+    for (int m = 0; m < shares_.count(i); ++m)
+      for (std::size_t a = 0; a < 3; ++a) u[a] += share[m] * cells_[cell[m]].value[CellValues::velocity_x + a];
+    if (at_centres_) {
+      const auto at_centre = point_values_.at(particles.position.at(i), cells_);
+      std::copy_n(at_centre.begin() + 1, 3, u.begin());
     }
     for (std::size_t a = 0; a < 3; ++a) liquid_velocity_[a][i] = u[a];
   }
@@ -414,8 +399,8 @@ void PhaseCoupling::apply_further_forces(dem::Engine& engine) {
     FurtherForces::Surroundings around{
         dem::Vec3{liquid_velocity_[0][i], liquid_velocity_[1][i], liquid_velocity_[2][i]} - further_.self_induced(i),
         {}};
-    if (liquid_ != nullptr && further_.need_gradients()) {
-      const auto gradient = point_values_->gradient(particles.position.at(i), cells_);
+    if (further_.need_gradients()) {
+      const auto gradient = point_values_.gradient(particles.position.at(i), cells_);
       for (std::size_t a = 0; a < 3; ++a)
         around.gradient[a] = {gradient[a + 1][0], gradient[a + 1][1], gradient[a + 1][2]};
     }
@@ -432,31 +417,18 @@ void PhaseCoupling::apply_further_forces(dem::Engine& engine) {
 }
 
 double PhaseCoupling::pressure_force(std::size_t i, std::size_t a) {
-  double gradient = 0.0;
-  if (liquid_ != nullptr) {
-    std::vector<double> cells;
-    liquid_->gather(a, liquid_->pressure_gradient(a), cells);
-    smoothing_->gather(cells);
-    gradient = shares_->gather(i, cells);
-  }
+  std::vector<double> cells;
+  liquid_.gather_pressure_gradient(a, cells);
+  smoothing_.gather(cells);
+  const double gradient = shares_.gather(i, cells);
   return -volume_[i] * (gradient - (a == 2 ? scene_.liquid.density * gravitational_acceleration : 0.0));
-}
-
-double PhaseCoupling::drag_taken_from_liquid(std::size_t a) const {
-  double sum = 0.0;
-  const auto& velocity = liquid_->velocity(a);
-  for (std::size_t n = 0; n < velocity.size(); ++n)
-    sum += exchange_.coefficient[a][n] * velocity[n] - exchange_.source[a][n] -
-           exchange_.volume[a][n] * (liquid_->viscous_force(a)[n] - liquid_->pressure_gradient(a)[n]);
-  return sum;
 }
 
 std::vector<double> PhaseCoupling::void_fraction() const {
   std::vector<double> voidage(liquid_before_.size());
-  if (liquid_ == nullptr) return {};
-  const auto layers = static_cast<std::size_t>(liquid_->grid().layers());
+  const auto layers = static_cast<std::size_t>(liquid_.grid().layers());
   for (std::size_t c = 0; c < voidage.size(); ++c)
-    voidage[c] = liquid_before_[c] / liquid_->grid().volume(static_cast<int>(c / layers));
+    voidage[c] = liquid_before_[c] / liquid_.grid().volume(static_cast<int>(c / layers));
   return voidage;
 }
 

@@ -1,17 +1,15 @@
 #pragma once
 
 #include <array>
-#include <functional>
-#include <optional>
-#include <span>
 #include <vector>
 
+#include "correlations/drag/drag_law_kernels.hpp"
 #include "solver/coupling/diffusion_smoothing.hpp"
 #include "solver/coupling/further_forces.hpp"
 #include "solver/coupling/point_values.hpp"
 #include "solver/coupling/void_fraction.hpp"
 #include "solver/dem/engine.hpp"
-#include "solver/fluid/liquid_solver.hpp"
+#include "solver/fluid/liquid.hpp"
 
 namespace slfb::coupling {
 
@@ -32,11 +30,12 @@ namespace slfb::coupling {
 /// if they keep their velocities, and the void fraction goes there evenly: no jump between intervals, no volume lost.
 class PhaseCoupling {
  public:
-  /// `liquid` may be null: liquid of the uniform velocity `prescribed_velocity` upwards [m/s], single-sphere drag
-  /// (voidage 1), nothing given back.
-  PhaseCoupling(const Scene& scene, fluid::LiquidSolver* liquid, double prescribed_velocity = 0.0);
+  /// Scene and liquid must outlive the coupling. \param drag_law called once per block of spheres
+  PhaseCoupling(const Scene& scene, fluid::Liquid& liquid, const drag::DragLawKernels& drag_law);
 
-  /// Solves the liquid over `time_step` from the present spheres and sets their external_force.
+  /// Solves the liquid over `time_step` [s] from the present spheres and sets their external_force.
+  /// \throws fluid::FluidError as Liquid::advance() does, and if the implicit exchange does not converge;
+  /// std::invalid_argument if a sphere is larger than the largest of the scene's species
   void advance(dem::Engine& engine, double time_step);
 
   /// Tells that a sphere has been put in, or that sphere i has been taken out: the next step sees no liquid displaced
@@ -53,9 +52,9 @@ class PhaseCoupling {
   [[nodiscard]] double pressure_force(std::size_t i, std::size_t a);
 
   /// Drag that left the liquid over the last step, from its own momentum nodes [N].
-  [[nodiscard]] double drag_taken_from_liquid(std::size_t a) const;
+  [[nodiscard]] double drag_taken_from_liquid(std::size_t a) const { return liquid_.taken_by(exchange_, a); }
 
-  /// Void fraction per cell after the last advance [-]; empty without a liquid.
+  /// Void fraction per cell after the last advance [-]; empty in one-way coupling.
   [[nodiscard]] std::vector<double> void_fraction() const;
   /// Liquid velocity per cell after the last advance [m/s].
   [[nodiscard]] const std::array<std::vector<double>, 3>& cell_velocity() const { return cell_velocity_; }
@@ -77,14 +76,9 @@ class PhaseCoupling {
   void restore(const NamedFields& state, const dem::Particles& particles);
 
  private:
-  using LawKernel = std::function<void(std::span<const double> voidage, std::span<const double> reynolds,
-                                       std::span<double> dimensionless_drag)>;
-
   void resize(std::size_t n);
   /// The slip is not that of the mean by shares.
-  [[nodiscard]] bool slip_is_corrected() const {
-    return at_centres_ || (liquid_ != nullptr && further_.corrects_disturbance());
-  }
+  [[nodiscard]] bool slip_is_corrected() const { return at_centres_ || corrects_disturbance_; }
   void update_void_fraction(const dem::Engine& engine, double time_step);
   void start_interval(const dem::Engine& engine, double time_step);
   [[nodiscard]] int steps_per_interval() const;
@@ -97,14 +91,15 @@ class PhaseCoupling {
   [[nodiscard]] double update_coefficient(const dem::Engine& engine, double time_step);
 
   const Scene& scene_;
-  fluid::LiquidSolver* liquid_;
-  double prescribed_velocity_;
-  std::optional<VolumeShares> shares_;  ///< none without a liquid
-  std::optional<DiffusionSmoothing> smoothing_;
-  std::optional<PointValues> point_values_;
-  bool at_centres_ = false;  ///< voidage and velocity are read at the spheres' centres
+  fluid::Liquid& liquid_;
+  drag::DragKernel law_;
+  VolumeShares shares_;
+  DiffusionSmoothing smoothing_;
+  PointValues point_values_;
   FurtherForces further_;
-  LawKernel law_;
+  // What only a liquid that the spheres act on has: voidage and velocity read at the spheres' centres, the slip
+  // corrected by their own disturbance, drag that is iterated.
+  bool at_centres_, corrects_disturbance_, implicit_;
   std::vector<double> liquid_before_, liquid_now_, solid_, cell_scratch_;
   // The present interval of the void fraction: its steps, those done, the liquid at both ends, the spheres at its end.
   int interval_steps_ = 1, interval_step_ = 0;

@@ -57,18 +57,22 @@ double ColumnGrid::wall_distance(const std::array<double, 2>& point, std::size_t
   return side == 0 ? point[axis] + half : half - point[axis];
 }
 
-ColumnGrid::ColumnGrid(const Scene& scene) {
+ColumnGrid::ColumnGrid(const Scene& scene)
+    : ColumnGrid(scene, std::max(1, static_cast<int>(std::lround(scene.geometry.height / scene.fluid.cell_height))),
+                 scene.fluid.tier == FluidTier::three_dimensional ? scene.fluid.cells_across : 1,
+                 scene.fluid.tier == FluidTier::three_dimensional) {}
+
+ColumnGrid ColumnGrid::single_cell(const Scene& scene) { return {scene, 1, 1, false}; }
+
+ColumnGrid::ColumnGrid(const Scene& scene, int layers, int across, bool many_deep) : layers_(layers) {
   const Geometry& geometry = scene.geometry;
   cylinder_ = geometry.shape == Shape::cylinder;
   periodic_ = !cylinder_ && scene.fluid.wall == LateralBoundary::periodic;
-  const int across = scene.fluid.tier == FluidTier::three_dimensional ? scene.fluid.cells_across : 1;
   const std::array<double, 2> extent =
       cylinder_ ? std::array<double, 2>{geometry.diameter, geometry.diameter} : geometry.width;
   const double width = extent[0] / across;
-  layers_ = std::max(1, static_cast<int>(std::lround(geometry.height / scene.fluid.cell_height)));
   height_ = geometry.height / layers_;
-  squares_ = {across, std::max(1, static_cast<int>(std::lround(extent[1] / width)))};
-  if (scene.fluid.tier != FluidTier::three_dimensional) squares_[1] = 1;
+  squares_ = {across, many_deep ? std::max(1, static_cast<int>(std::lround(extent[1] / width))) : 1};
   for (std::size_t a = 0; a < 2; ++a) {
     lower_[a] = -0.5 * extent[a];
     spacing_[a] = extent[a] / squares_[a];

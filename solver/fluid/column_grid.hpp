@@ -15,7 +15,11 @@ namespace slfb::fluid {
 /// cell * layers + layer.
 class ColumnGrid {
  public:
+  /// The mesh of a scene: fluid.cells_across squares over the diameter or over width[0] in the three-dimensional tier,
+  /// else a single cell; layers of about fluid.cell_height.
   explicit ColumnGrid(const Scene& scene);
+  /// A single cell that holds the whole column of a scene, whatever its fluid.* keys say.
+  static ColumnGrid single_cell(const Scene& scene);
 
   /// A vertical face between two cells of the section.
   struct Face {
@@ -61,6 +65,10 @@ class ColumnGrid {
   [[nodiscard]] std::size_t size() const { return static_cast<std::size_t>(cells() * layers_); }
 
  private:
+  /// \param layers over the height; \param across squares over the width; \param many_deep a box may be several squares
+  /// deep
+  ColumnGrid(const Scene& scene, int layers, int across, bool many_deep);
+
   bool cylinder_ = true, periodic_ = false;
   double radius_ = 0.0;
   int layers_ = 1;

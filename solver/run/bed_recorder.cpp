@@ -43,7 +43,7 @@ bool BedRecorder::sample(const Model& model, double time) {
   std::nth_element(heights.begin(), top, heights.end());
   BedSeries& bed = result_.bed;
   bed.time.push_back(time);
-  bed.pressure_drop.push_back(model.liquid() != nullptr ? model.liquid()->inlet_pressure() : 0.0);
+  bed.pressure_drop.push_back(model.liquid().inlet_pressure());
   bed.centre_of_mass_height.push_back(moment / volume);
   bed.bed_top.push_back(*top);
   const double box = 8.0 * *std::max_element(particles.radius.begin(), particles.radius.end());

@@ -6,7 +6,7 @@
 namespace slfb::simulation {
 
 LiquidRecorder::LiquidRecorder(const Scene& scene, const Model& model, RunResult& result) : result_(result) {
-  if (model.liquid() != nullptr) window_.emplace(model.liquid()->grid(), scene.recording.fluctuation_window);
+  if (model.liquid().two_way()) window_.emplace(model.liquid().grid(), scene.recording.fluctuation_window);
 }
 
 void LiquidRecorder::sample_fluctuation(const Model& model, double time) {
@@ -14,14 +14,14 @@ void LiquidRecorder::sample_fluctuation(const Model& model, double time) {
 }
 
 void LiquidRecorder::finish(const Model& model, double time) {
-  if (model.liquid() == nullptr) return;
+  if (!model.liquid().two_way()) return;
   record_plane(model, time);
   window_->reduce(result_.fluctuation);
 }
 
 /// Void fraction and velocity on the cells of the plane y = 0; their mean where the plane lies between two rows.
 void LiquidRecorder::record_plane(const Model& model, double time) {
-  const fluid::ColumnGrid& grid = model.liquid()->grid();
+  const fluid::ColumnGrid& grid = model.liquid().grid();
   const auto voidage = model.coupling().void_fraction();
   const auto& velocity = model.coupling().cell_velocity();
   if (voidage.empty()) return;

@@ -14,14 +14,14 @@ using coupling::ForceBalance;
 void MeanForceBalance::start_step(const Model& model) { sphere_momentum_ = model.sphere_momentum(); }
 
 void MeanForceBalance::end_step(const Model& model) {
-  if (model.liquid() == nullptr) return;
-  const double momentum = model.liquid()->vertical_momentum();
+  if (!model.liquid().two_way()) return;
+  const double momentum = model.liquid().vertical_momentum();
   const double before = std::exchange(liquid_momentum_, momentum);
   if (!std::exchange(momentum_is_known_, true)) return;
   ForceBalance now;
   const dem::Particles& particles = model.particles();
   const auto contacts = model.engine().mean_vertical_wall_forces();
-  const auto& liquid = model.liquid()->vertical_forces();
+  const auto& liquid = model.liquid().vertical_forces();
   for (std::size_t i = 0; i < particles.size(); ++i)
     now.force[ForceBalance::buoyant_weight] -=
         gravitational_acceleration * (particles.mass[i] - scene_.liquid.density * particles.volume(i));

@@ -5,6 +5,7 @@
 
 #include "solver/dem/packing.hpp"
 #include "solver/laws/make_engine.hpp"
+#include "solver/laws/user_law.hpp"
 
 namespace slfb::simulation {
 namespace {
@@ -19,12 +20,14 @@ std::array<double, 3> period_of(const Scene& scene) {
 Model::Model(const Scene& scene, int threads)
     : scene_(scene),
       engine_(make_engine(scene.contact, dem::walls_of(scene), period_of(scene), threads)),
+      liquid_at_rest_(scene, 0.0),
+      liquid_(fluid::make_liquid(scene, threads)),
       sphere_steps_(std::llround(scene.fluid.time_step / scene.contact.time_step)) {
   if (scene.coupling.lubrication_range > 0.0)
     engine_.lubricate({scene.liquid.viscosity, scene.coupling.lubrication_roughness, scene.coupling.lubrication_range});
-  if (scene.fluid.tier != FluidTier::quiescent) liquid_ = std::make_unique<fluid::LiquidSolver>(scene, false, threads);
-  resting_ = std::make_unique<coupling::PhaseCoupling>(scene, nullptr);
-  flowing_ = std::make_unique<coupling::PhaseCoupling>(scene, liquid_.get(), scene.liquid.superficial_velocity);
+  const drag::DragLawKernels drag_law = find_drag_law(scene.coupling.drag_law);
+  resting_ = std::make_unique<coupling::PhaseCoupling>(scene, liquid_at_rest_, drag_law);
+  flowing_ = std::make_unique<coupling::PhaseCoupling>(scene, *liquid_, drag_law);
 }
 
 void Model::fill() {

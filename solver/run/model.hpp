@@ -7,7 +7,7 @@
 
 #include "solver/coupling/phase_coupling.hpp"
 #include "solver/dem/engine.hpp"
-#include "solver/fluid/liquid_solver.hpp"
+#include "solver/fluid/prescribed_liquid.hpp"
 #include "solver/io/state_group.hpp"
 #include "solver/scene/scene.hpp"
 
@@ -42,8 +42,7 @@ class Model {
 
   [[nodiscard]] const dem::Engine& engine() const { return engine_; }
   [[nodiscard]] const dem::Particles& particles() const { return engine_.particles; }
-  /// Null if the scene has none that flows.
-  [[nodiscard]] const fluid::LiquidSolver* liquid() const { return liquid_.get(); }
+  [[nodiscard]] const fluid::Liquid& liquid() const { return *liquid_; }
   /// Between the spheres and the flowing liquid.
   [[nodiscard]] coupling::PhaseCoupling& coupling() { return *flowing_; }
   [[nodiscard]] const coupling::PhaseCoupling& coupling() const { return *flowing_; }
@@ -59,7 +58,8 @@ class Model {
 
   const Scene& scene_;
   dem::Engine engine_;
-  std::unique_ptr<fluid::LiquidSolver> liquid_;
+  fluid::PrescribedLiquid liquid_at_rest_;  ///< while the bed settles
+  std::unique_ptr<fluid::Liquid> liquid_;
   std::unique_ptr<coupling::PhaseCoupling> resting_, flowing_;  ///< while the bed settles, and after
   std::int64_t sphere_steps_;                                   ///< per liquid step
   std::optional<std::size_t> dropped_;

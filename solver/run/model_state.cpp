@@ -124,7 +124,7 @@ void Model::exchange_engine(io::StateGroup& group) {
 
 void Model::exchange(io::StateGroup& state) {
   state.part("spheres", [&](io::StateGroup& group) { exchange_engine(group); });
-  if (liquid_)
+  if (liquid_->two_way())
     state.part("liquid", [&](io::StateGroup& group) {
       exchange_fields(group, *liquid_, [&](const NamedFields& fields) { liquid_->restore(fields); });
     });

@@ -55,9 +55,10 @@ void Recorder::write_snapshot() const {
   std::filesystem::create_directories(folder);
   const double time = schedule_.fluidised_seconds();
   io::write_particles_vtkhdf(folder / fmt::format("particles_{:08.3f}s.vtkhdf", time), model_.particles(), time);
-  if (const fluid::LiquidSolver* liquid = model_.liquid())
-    io::write_liquid_vtkhdf(folder / fmt::format("liquid_{:08.3f}s.vtkhdf", time), liquid->grid(),
-                            model_.coupling().void_fraction(), model_.coupling().cell_velocity(), liquid->pressure(),
+  const fluid::Liquid& liquid = model_.liquid();
+  if (liquid.two_way())
+    io::write_liquid_vtkhdf(folder / fmt::format("liquid_{:08.3f}s.vtkhdf", time), liquid.grid(),
+                            model_.coupling().void_fraction(), model_.coupling().cell_velocity(), liquid.pressure(),
                             time);
 }
 

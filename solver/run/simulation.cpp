@@ -8,6 +8,7 @@
 #include <stdexcept>
 
 #include "solver/coupling/drag_relaxation.hpp"
+#include "solver/laws/user_law.hpp"
 #include "solver/run/checkpoint_files.hpp"
 #include "solver/run/drop_protocol.hpp"
 #include "solver/run/model.hpp"
@@ -165,9 +166,9 @@ void Simulation::save() {
 
 void Simulation::fail(const std::exception& error) {
   const auto file = checkpoints_.save_failure([&](io::StateGroup& state) { exchange(state); });
-  const double relaxation = coupling::packed_relaxation_time(scene_);
+  const double relaxation = coupling::packed_relaxation_time(scene_, find_drag_law(scene_.coupling.drag_law));
   const std::string hint =
-      model_.liquid() != nullptr && scene_.fluid.time_step > relaxation
+      model_.liquid().two_way() && scene_.fluid.time_step > relaxation
           ? fmt::format("; or a smaller fluid.time_step: drag stops a sphere of the packed bed within {:.2g} s",
                         relaxation)
           : "";

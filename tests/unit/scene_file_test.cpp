@@ -14,6 +14,7 @@
 #include <string>
 
 #include "solver/coupling/drag_relaxation.hpp"
+#include "solver/laws/user_law.hpp"
 
 namespace slfb {
 namespace {
@@ -432,7 +433,8 @@ TEST(PackedRelaxationTime, IsThatOfErgunsPackedBed) {
   const Scene scene =
       parse_scene(valid_scene, "scene.toml", {"liquid.viscosity=1.4", "coupling.drag_law=gidaspow-1994"});
   const double expected = 2230.0 * 0.4 * 0.005 * 0.005 / (150.0 * 0.6 * 1.4);
-  EXPECT_NEAR(coupling::packed_relaxation_time(scene), expected, 1e-4 * expected);
+  EXPECT_NEAR(coupling::packed_relaxation_time(scene, find_drag_law(scene.coupling.drag_law)), expected,
+              1e-4 * expected);
 }
 
 TEST(SceneFile, QuiescentTierNeedsNoFluidNumerics) {

@@ -5,6 +5,7 @@
 #include <sstream>
 #include <string>
 
+#include "solver/fluid/three_dimensional_liquid.hpp"
 #include "solver/support/folders.hpp"
 #include "tests/verification/liquid_cases.hpp"
 
@@ -76,7 +77,7 @@ class Cavity {
     ASSERT_LE(change, 1e-5);
   }
 
-  [[nodiscard]] const fluid::LiquidSolver& liquid() const { return liquid_; }
+  [[nodiscard]] const fluid::ThreeDimensionalLiquid& liquid() const { return liquid_; }
   /// u on the vertical line through the centre, by height.
   [[nodiscard]] std::vector<double> vertical_line() const { return line(0, 0.0, 0); }
   /// w on the horizontal line through the centre, by distance.
@@ -103,7 +104,7 @@ class Cavity {
   }
 
   int cells_;
-  fluid::LiquidSolver liquid_;
+  fluid::ThreeDimensionalLiquid liquid_;
   fluid::Exchange exchange_;
   std::vector<double> volume_;
 };

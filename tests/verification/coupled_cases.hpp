@@ -10,8 +10,10 @@
 #include "solver/coupling/phase_coupling.hpp"
 #include "solver/dem/engine.hpp"
 #include "solver/dem/walls.hpp"
-#include "solver/fluid/liquid_solver.hpp"
+#include "solver/fluid/prescribed_liquid.hpp"
 #include "solver/laws/make_engine.hpp"
+#include "solver/laws/user_law.hpp"
+#include "tests/verification/liquid_cases.hpp"
 
 namespace slfb {
 
@@ -37,9 +39,10 @@ inline Scene periodic_box(double width, double height, int cells_across, double 
 struct CoupledCase {
   explicit CoupledCase(Scene of, std::vector<dem::Wall> walls = {})
       : scene(std::move(of)), engine(make_engine(scene.contact, std::move(walls), {0.0, 0.0, 0.0}, 1)) {
-    if (scene.fluid.tier != FluidTier::quiescent) liquid = std::make_unique<fluid::LiquidSolver>(scene);
-    exchange = std::make_unique<coupling::PhaseCoupling>(scene, liquid.get(),
-                                                         liquid ? 0.0 : scene.liquid.superficial_velocity);
+    liquid = solved_liquid(scene);
+    if (!liquid) prescribed = std::make_unique<fluid::PrescribedLiquid>(scene, scene.liquid.superficial_velocity);
+    fluid::Liquid& any = liquid ? static_cast<fluid::Liquid&>(*liquid) : *prescribed;
+    exchange = std::make_unique<coupling::PhaseCoupling>(scene, any, find_drag_law(scene.coupling.drag_law));
   }
   // The parts refer to one another.
   CoupledCase(const CoupledCase&) = delete;
@@ -67,7 +70,8 @@ struct CoupledCase {
   }
 
   Scene scene;
-  std::unique_ptr<fluid::LiquidSolver> liquid;  ///< none in the quiescent tier
+  std::unique_ptr<fluid::StaggeredLiquid> liquid;       ///< none in the quiescent tier
+  std::unique_ptr<fluid::PrescribedLiquid> prescribed;  ///< only in the quiescent tier
   dem::Engine engine;
   std::unique_ptr<coupling::PhaseCoupling> exchange;
 };

@@ -4,17 +4,26 @@
 #include <array>
 #include <cmath>
 #include <functional>
+#include <memory>
 #include <string>
 #include <vector>
 
-#include "solver/fluid/liquid_solver.hpp"
+#include "solver/fluid/staggered_liquid.hpp"
 
 namespace slfb {
 
 using Point = std::array<double, 3>;
 using Field = std::function<double(const Point&)>;
 
-inline fluid::Exchange no_exchange(const fluid::LiquidSolver& liquid) {
+/// The liquid of a scene whose tier solves for it.
+inline std::unique_ptr<fluid::StaggeredLiquid> solved_liquid(const Scene& scene) {
+  auto liquid = fluid::make_liquid(scene);
+  auto* solved = dynamic_cast<fluid::StaggeredLiquid*>(liquid.get());
+  if (solved != nullptr) static_cast<void>(liquid.release());
+  return std::unique_ptr<fluid::StaggeredLiquid>(solved);
+}
+
+inline fluid::Exchange no_exchange(const fluid::StaggeredLiquid& liquid) {
   fluid::Exchange exchange;
   for (std::size_t a = 0; a < 3; ++a) {
     exchange.coefficient[a].assign(liquid.nodes(a), 0.0);
@@ -31,7 +40,7 @@ inline std::vector<double> cell_volumes(const fluid::ColumnGrid& grid) {
 }
 
 /// Volumes of the momentum nodes of a component; 0 where the velocity is given [m³].
-inline std::vector<double> node_volumes(const fluid::LiquidSolver& liquid, std::size_t a) {
+inline std::vector<double> node_volumes(const fluid::StaggeredLiquid& liquid, std::size_t a) {
   std::vector<double> volumes;
   liquid.scatter(a, cell_volumes(liquid.grid()), volumes);
   return volumes;
@@ -51,7 +60,7 @@ inline std::vector<double> liquid_volumes(const fluid::ColumnGrid& grid, const F
 }
 
 /// Starts the liquid from exact fields.
-inline void start_from(fluid::LiquidSolver& liquid, const std::array<Field, 3>& velocity, const Field& pressure) {
+inline void start_from(fluid::StaggeredLiquid& liquid, const std::array<Field, 3>& velocity, const Field& pressure) {
   auto state = liquid.state();
   for (std::size_t a = 0; a < 3; ++a)
     for (std::size_t n = 0; n < liquid.nodes(a); ++n)
@@ -67,7 +76,7 @@ struct Norms {
 };
 
 /// Error of node values against an exact field, within a radius.
-inline Norms error_of(const fluid::LiquidSolver& liquid, std::size_t a, const std::vector<double>& values,
+inline Norms error_of(const fluid::StaggeredLiquid& liquid, std::size_t a, const std::vector<double>& values,
                       const Field& exact, double radius = 1e300) {
   const auto volume = node_volumes(liquid, a);
   Norms norms;

@@ -8,7 +8,11 @@
 #include "correlations/drag/drag_laws.hpp"
 #include "correlations/materials.hpp"
 #include "solver/coupling/phase_coupling.hpp"
+#include "solver/fluid/one_dimensional_liquid.hpp"
+#include "solver/fluid/prescribed_liquid.hpp"
+#include "solver/fluid/three_dimensional_liquid.hpp"
 #include "solver/laws/make_engine.hpp"
+#include "solver/laws/user_law.hpp"
 #include "tests/verification/liquid_cases.hpp"
 
 namespace slfb {
@@ -63,7 +67,7 @@ TEST(ColumnGrid, CutsSquaresExactly) {
   EXPECT_NEAR(fluid::circle_rectangle_area(1, -0.5, 0.5, -0.5, 0.5), 1.0, 1e-14);
 }
 
-double flow_through(const fluid::LiquidSolver& liquid, const std::vector<double>& volume, int level) {
+double flow_through(const fluid::StaggeredLiquid& liquid, const std::vector<double>& volume, int level) {
   const auto& grid = liquid.grid();
   std::vector<double> nodes, full;
   liquid.scatter(2, volume, nodes);
@@ -87,7 +91,7 @@ TEST(Liquid, TendsToPoiseuilleFlowInSecondOrder) {
     scene.fluid.cells_across = i == 0 ? 12 : 24;
     scene.fluid.cell_height = 0.5;
     scene.fluid.pressure_tolerance = 1e-8;
-    fluid::LiquidSolver liquid(scene);
+    fluid::ThreeDimensionalLiquid liquid(scene);
     const auto& grid = liquid.grid();
     const auto volume = cell_volumes(grid);
     const auto exchange = no_exchange(liquid);
@@ -117,7 +121,7 @@ TEST(Liquid, PassesASlipWallAsAPlug) {
   Scene scene = water_column(0.1);
   scene.fluid.wall = LateralBoundary::slip;
   scene.liquid.viscosity = 0.1;
-  fluid::LiquidSolver liquid(scene);
+  fluid::ThreeDimensionalLiquid liquid(scene);
   const auto volume = cell_volumes(liquid.grid());
   const auto exchange = no_exchange(liquid);
   for (int k = 0; k < 20; ++k) liquid.advance(scene.fluid.time_step, volume, volume, exchange);
@@ -131,7 +135,7 @@ TEST(Liquid, ConservesVolumeUnderMovingSpheres) {
   for (const TimeScheme scheme : {TimeScheme::euler, TimeScheme::second_order}) {
     Scene scene = water_column(0.06);
     scene.fluid.time_scheme = scheme;
-    fluid::LiquidSolver liquid(scene);
+    fluid::ThreeDimensionalLiquid liquid(scene);
     const auto exchange = no_exchange(liquid);
     const auto volume_at = [&](int step) {
       auto volume = cell_volumes(liquid.grid());
@@ -167,7 +171,7 @@ TEST(Liquid, BalancesTheColumnExactly) {
   Scene scene = water_column(0.1);
   scene.fluid.tier = FluidTier::one_dimensional;
   scene.fluid.cell_height = 0.005;
-  fluid::LiquidSolver liquid(scene);
+  fluid::OneDimensionalLiquid liquid(scene);
   const auto& grid = liquid.grid();
   const double speed = 0.07, wave = 60.0, h = grid.cell_height();
   // Solids below a height at a time, per section area: ∫ 0.4 + 0.2 sin(wave (z − v t)) dz.
@@ -199,7 +203,7 @@ TEST(Liquid, ColumnKeepsBernoullisSum) {
   scene.fluid.convection = ConvectionScheme::central;
   scene.fluid.cell_height = scene.geometry.height / 200;
   scene.liquid.viscosity = 1e-9;
-  fluid::LiquidSolver liquid(scene);
+  fluid::OneDimensionalLiquid liquid(scene);
   const double height = scene.geometry.height;
   const auto void_fraction = [&](double z) { return 0.7 + 0.3 * std::cos(std::numbers::pi * z / height); };
   const auto volume = liquid_volumes(liquid.grid(), [&](const Point& x) { return void_fraction(x[2]); });
@@ -219,7 +223,7 @@ struct SmallBed {
     scene.fluid.pressure_tolerance = 1e-8;
     scene.fluid.time_scheme = scheme;
   }
-  void fill(fluid::LiquidSolver& liquid) {
+  void fill(fluid::StaggeredLiquid& liquid) {
     volume = cell_volumes(liquid.grid());
     auto drag = volume;
     for (std::size_t c = 0; c < volume.size(); ++c) {
@@ -237,7 +241,7 @@ struct SmallBed {
 
 TEST(Liquid, DoesNotDriftOverAHundredThousandSteps) {
   SmallBed bed(TimeScheme::euler);
-  fluid::LiquidSolver liquid(bed.scene);
+  fluid::ThreeDimensionalLiquid liquid(bed.scene);
   bed.fill(liquid);
   const auto run = [&](int steps) {
     for (int k = 0; k < steps; ++k) liquid.advance(bed.scene.fluid.time_step, bed.volume, bed.volume, bed.exchange);
@@ -258,7 +262,7 @@ TEST(Liquid, EverySchemeHasTheSameSteadyFlow) {
     for (const TimeScheme scheme : {TimeScheme::euler, TimeScheme::second_order}) {
       SmallBed bed(scheme);
       bed.scene.fluid.pressure_velocity = method;
-      fluid::LiquidSolver liquid(bed.scene);
+      fluid::ThreeDimensionalLiquid liquid(bed.scene);
       bed.fill(liquid);
       for (int k = 0; k < 1000; ++k) liquid.advance(bed.scene.fluid.time_step, bed.volume, bed.volume, bed.exchange);
       if (expected.empty()) expected = liquid.velocity(2);
@@ -270,11 +274,11 @@ TEST(Liquid, EverySchemeHasTheSameSteadyFlow) {
 TEST(Liquid, ContinuesFromItsStateBitByBit) {
   for (const TimeScheme scheme : {TimeScheme::euler, TimeScheme::second_order}) {
     SmallBed bed(scheme);
-    fluid::LiquidSolver whole(bed.scene), second_half(bed.scene);
+    fluid::ThreeDimensionalLiquid whole(bed.scene), second_half(bed.scene);
     bed.fill(whole);
     const auto full = cell_volumes(whole.grid());
     auto before = bed.volume;
-    const auto step = [&](fluid::LiquidSolver& liquid, int k) {
+    const auto step = [&](fluid::StaggeredLiquid& liquid, int k) {
       auto now = bed.volume;
       for (std::size_t c = 0; c < now.size(); ++c) now[c] += 0.01 * std::sin(0.1 * k) * full[c];
       liquid.advance(bed.scene.fluid.time_step, before, now, bed.exchange);
@@ -305,13 +309,13 @@ dem::Engine lattice(const Scene& scene, double spacing, double density) {
 // The spheres' side is summed over spheres, the liquid's over its momentum nodes.
 TEST(Coupling, WhatTheSpheresGainTheLiquidLoses) {
   Scene scene = water_column(0.06);
-  fluid::LiquidSolver liquid(scene);
+  fluid::ThreeDimensionalLiquid liquid(scene);
   dem::Engine engine = lattice(scene, 0.0061, 2230);
   for (std::size_t i = 0; i < engine.particles.size(); ++i) {
     engine.particles.velocity.x[i] = 0.02 * std::sin(static_cast<double>(i));
     engine.particles.velocity.z[i] = 0.05 * std::cos(3.0 * static_cast<double>(i));
   }
-  coupling::PhaseCoupling exchange(scene, &liquid);
+  coupling::PhaseCoupling exchange(scene, liquid, find_drag_law(scene.coupling.drag_law));
   exchange.advance(engine, scene.fluid.time_step);
   for (std::size_t a : {std::size_t{0}, std::size_t{1}, std::size_t{2}}) {
     double on_spheres = 0.0, magnitude = 0.0;
@@ -331,7 +335,8 @@ TEST(Coupling, FrozenUniformBedHasTheLawsPressureDrop) {
       Scene scene = water_column(0.05);
       scene.fluid.tier = tier;
       scene.fluid.wall = LateralBoundary::slip;
-      fluid::LiquidSolver liquid(scene);
+      const auto liquid_of_tier = solved_liquid(scene);
+      fluid::StaggeredLiquid& liquid = *liquid_of_tier;
       const auto& grid = liquid.grid();
       // Uniform voidage by construction: every cell gives the liquid the same share, drag by the law.
       const double voidage = 0.45, d = 0.005, reynolds = 998.2 * d * 0.05 / 1e-3;
@@ -359,7 +364,8 @@ TEST(Coupling, StaysStableAtStiffDrag) {
   dem::Engine engine = make_engine(scene.contact, {}, {0, 0, 0}, 1);
   engine.add_particle({0, 0, 0.05}, 5e-6, 2230, 0);
   engine.particles.velocity.z[0] = 0.1;
-  coupling::PhaseCoupling exchange(scene, nullptr);
+  fluid::PrescribedLiquid liquid(scene, 0.0);
+  coupling::PhaseCoupling exchange(scene, liquid, find_drag_law(scene.coupling.drag_law));
   for (int k = 0; k < 5; ++k) {
     exchange.advance(engine, scene.fluid.time_step);
     engine.advance(200);
@@ -375,7 +381,8 @@ TEST(Coupling, SettlesAtTheTerminalVelocity) {
   scene.fluid.tier = FluidTier::quiescent;
   dem::Engine engine = make_engine(scene.contact, {}, {0, 0, 0}, 1);
   engine.add_particle({0, 0, 0}, 0.003, 7800, 0);
-  coupling::PhaseCoupling exchange(scene, nullptr);
+  fluid::PrescribedLiquid liquid(scene, 0.0);
+  coupling::PhaseCoupling exchange(scene, liquid, find_drag_law(scene.coupling.drag_law));
   for (int k = 0; k < 1500; ++k) {
     exchange.advance(engine, scene.fluid.time_step);
     engine.advance(20);

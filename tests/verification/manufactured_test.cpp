@@ -119,7 +119,7 @@ double momentum_source(const Solution& exact, std::size_t a, const Point& x, dou
 /// Runs the solver on the exact solution's scene.
 class Manufactured {
  public:
-  Manufactured(const Scene& scene, const Solution& exact) : exact_(exact), liquid_(scene) {
+  Manufactured(const Scene& scene, const Solution& exact) : exact_(exact), owner_(solved_liquid(scene)) {
     for (std::size_t s = 0; s < liquid_.end_velocity(2, 0).size(); ++s) {
       const auto levels = static_cast<std::size_t>(liquid_.grid().layers() + 1);
       liquid_.end_velocity(2, 0)[s] = exact_.superficial(liquid_.position(2, s * levels), 0.0)[2];
@@ -185,7 +185,8 @@ class Manufactured {
   }
 
   const Solution& exact_;
-  fluid::LiquidSolver liquid_;
+  std::unique_ptr<fluid::StaggeredLiquid> owner_;
+  fluid::StaggeredLiquid& liquid_ = *owner_;
   double time_ = 0.0;
 };
 

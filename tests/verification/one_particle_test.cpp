@@ -17,7 +17,9 @@
 #include "correlations/fluidisation/wall_correction/haberman_sayre_1958.hpp"
 #include "correlations/materials.hpp"
 #include "solver/coupling/phase_coupling.hpp"
+#include "solver/fluid/prescribed_liquid.hpp"
 #include "solver/laws/make_engine.hpp"
+#include "solver/laws/user_law.hpp"
 #include "solver/support/folders.hpp"
 
 namespace slfb {
@@ -63,7 +65,8 @@ TEST(OneParticleFall, EngineConvergesToIt) {
     scene.contact.time_step = 5e-5;
     dem::Engine engine = make_engine(scene.contact, {}, {0, 0, 0}, 1);
     engine.add_particle({0, 0, 1.0}, 0.003, 7800, 0);
-    coupling::PhaseCoupling exchange(scene, nullptr);
+    fluid::PrescribedLiquid liquid(scene, 0.0);
+    coupling::PhaseCoupling exchange(scene, liquid, find_drag_law(scene.coupling.drag_law));
     for (int k = 0; k < std::lround(0.1 / liquid_step); ++k) {
       exchange.advance(engine, liquid_step);
       engine.advance(std::lround(liquid_step / 5e-5));

@@ -3,6 +3,7 @@
 
 #include <numbers>
 
+#include "solver/fluid/three_dimensional_liquid.hpp"
 #include "tests/verification/liquid_cases.hpp"
 
 namespace slfb {
@@ -39,7 +40,7 @@ double error_with(const Vortices& vortices, ConvectionScheme convection, int cel
   scene.fluid.convection = convection;
   scene.fluid.time_scheme = TimeScheme::second_order;
   scene.fluid.pressure_tolerance = 1e-8;
-  fluid::LiquidSolver liquid(scene, true);
+  fluid::ThreeDimensionalLiquid liquid(scene, true);
   std::array<Field, 3> start;
   for (std::size_t a = 0; a < 3; ++a) start[a] = [&, a](const Point& x) { return vortices.velocity(a, x, 0.0); };
   start_from(liquid, start, [&](const Point& x) { return vortices.pressure(x); });

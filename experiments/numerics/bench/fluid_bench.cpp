@@ -4,13 +4,13 @@
 #include <vector>
 
 #include "correlations/drag/drag_laws.hpp"
-#include "solver/fluid/liquid_solver.hpp"
+#include "solver/fluid/three_dimensional_liquid.hpp"
 #include "solver/support/stopwatch.hpp"
 
 namespace slfb::bench {
 
 FluidTiming time_fluid(const Scene& scene, int threads, std::int64_t steps) {
-  fluid::LiquidSolver liquid(scene, false, threads);
+  fluid::ThreeDimensionalLiquid liquid(scene, false, threads);
   const fluid::ColumnGrid& grid = liquid.grid();
   const auto layers = static_cast<std::size_t>(grid.layers());
   constexpr double diameter = 0.005, mean_voidage = 0.6;
@@ -40,7 +40,7 @@ FluidTiming time_fluid(const Scene& scene, int threads, std::int64_t steps) {
   before = now;
   constexpr std::int64_t warm_up = 10;
   FluidTiming timing{.threads = threads, .cells = grid.size(), .steps = steps};
-  fluid::LiquidSolver::Cost cost;
+  fluid::LiquidCost cost;
   for (std::int64_t step = 1; step <= warm_up + steps; ++step) {
     if (step == warm_up + 1) cost = liquid.cost(), timing.seconds = 0.0;
     set_voidage(step);

@@ -3,14 +3,16 @@
 #include "solver/dem/packing.hpp"
 #include "solver/dem/walls.hpp"
 #include "solver/laws/make_engine.hpp"
+#include "solver/laws/user_law.hpp"
 
 namespace slfb::studies {
 
 CoupledBed::CoupledBed(const Scene& scene, const dem::Particles& spheres, int threads)
     : scene_(scene),
       engine(make_engine(scene_.contact, dem::walls_of(scene_), {0.0, 0.0, 0.0}, threads)),
-      liquid(scene_, false, threads),
-      exchange(scene_, &liquid) {
+      owned_liquid_(fluid::make_liquid(scene_, threads)),
+      liquid(*owned_liquid_),
+      exchange(scene_, liquid, find_drag_law(scene_.coupling.drag_law)) {
   for (std::size_t i = 0; i < spheres.size(); ++i) {
     const Species& species = scene_.species[static_cast<std::size_t>(spheres.species[i])];
     engine.add_particle(spheres.position.at(i), spheres.radius[i], species.density, spheres.species[i]);

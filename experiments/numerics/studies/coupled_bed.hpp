@@ -2,11 +2,12 @@
 
 #include <cmath>
 #include <cstdint>
+#include <memory>
 
 #include "solver/coupling/phase_coupling.hpp"
 #include "solver/dem/engine.hpp"
 #include "solver/dem/particles.hpp"
-#include "solver/fluid/liquid_solver.hpp"
+#include "solver/fluid/liquid.hpp"
 #include "solver/scene/scene.hpp"
 #include "solver/support/stopwatch.hpp"
 
@@ -45,7 +46,12 @@ class CoupledBed {
 
  public:
   dem::Engine engine;
-  fluid::LiquidSolver liquid;
+
+ private:
+  std::unique_ptr<fluid::Liquid> owned_liquid_;
+
+ public:
+  fluid::Liquid& liquid;
   coupling::PhaseCoupling exchange;
   double particle_seconds = 0.0;  ///< wall time of the spheres' motion so far [s]
 };

@@ -16,7 +16,7 @@ namespace slfb::coupling {
 /// ∂u/∂t + U ∂u/∂x = −∇p + ∇²u + f, ∇·u = 0 are diagonal in the Fourier modes of the grid.
 ///
 /// A force along x is handed to cells by shares, halved onto the two faces of each cell, and the velocity gathered back
-/// the same way, as LiquidSolver and VolumeShares do. Along x the grid alternates instead of repeating where liquid
+/// the same way, as StaggeredLiquid and VolumeShares do. Along x the grid alternates instead of repeating where liquid
 /// flows (U ≠ 0), so that no wake comes back to its source; its images then cancel in the mean.
 class OseenGrid {
  public:

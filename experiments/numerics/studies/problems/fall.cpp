@@ -5,7 +5,7 @@
 #include "experiments/numerics/studies/problems/problem_list.hpp"
 #include "solver/coupling/phase_coupling.hpp"
 #include "solver/dem/engine.hpp"
-#include "solver/fluid/liquid_solver.hpp"
+#include "solver/fluid/liquid.hpp"
 #include "solver/laws/make_engine.hpp"
 #include "solver/laws/user_law.hpp"
 #include "solver/run/one_particle.hpp"
@@ -63,9 +63,8 @@ TrialResult by_simulation(const Scene& scene, const Parameters& parameters, int)
   const Species& sphere = scene.species.front();
   const double width = scene.geometry.width[0];
   dem::Engine engine = make_engine(scene.contact, {}, {width, width, 0.0}, 1);
-  std::unique_ptr<fluid::LiquidSolver> liquid;
-  if (scene.fluid.tier != FluidTier::quiescent) liquid = std::make_unique<fluid::LiquidSolver>(scene);
-  coupling::PhaseCoupling exchange(scene, liquid.get(), liquid ? 0.0 : scene.liquid.superficial_velocity);
+  const auto liquid = fluid::make_liquid(scene);
+  coupling::PhaseCoupling exchange(scene, *liquid, find_drag_law(scene.coupling.drag_law));
   engine.add_particle({0.0, 0.0, scene.stages.front().release_height}, 0.5 * sphere.diameter, sphere.density, 0);
   const double seconds = parameters.at("seconds"), step = scene.fluid.time_step;
   const auto steps = std::llround(seconds / step), substeps = std::llround(step / scene.contact.time_step);
@@ -85,7 +84,7 @@ TrialResult by_simulation(const Scene& scene, const Parameters& parameters, int)
   result.values["terminal_velocity"] = found;
   result.values["velocity_error"].value = found.error / found.exact;
   result.counts["particle-steps"] = static_cast<double>(steps * substeps) / seconds;
-  if (liquid)
+  if (liquid->two_way())
     result.counts["cell-steps"] = static_cast<double>(liquid->grid().size()) * static_cast<double>(steps) / seconds;
   return result;
 }

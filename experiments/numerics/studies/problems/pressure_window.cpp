@@ -41,7 +41,7 @@ TrialResult solve(const Scene& given, const Parameters& parameters, int) {
 
   CoupledBed bed(scene, spheres);
   const dem::Engine& engine = bed.engine;
-  const fluid::LiquidSolver& liquid = bed.liquid;
+  const fluid::Liquid& liquid = bed.liquid;
   bed.advance(parameters.at("transient"));
   const double seconds = parameters.at("seconds");
   const auto iterations = liquid.cost().pressure_iterations;

@@ -7,8 +7,9 @@
 #include "experiments/numerics/studies/problems/problem_list.hpp"
 #include "solver/coupling/phase_coupling.hpp"
 #include "solver/dem/engine.hpp"
-#include "solver/fluid/liquid_solver.hpp"
+#include "solver/fluid/three_dimensional_liquid.hpp"
 #include "solver/laws/make_engine.hpp"
+#include "solver/laws/user_law.hpp"
 
 namespace slfb::studies {
 namespace {
@@ -42,8 +43,8 @@ TrialResult solve(const Scene& given, const Parameters& parameters, int) {
   scene.fluid.time_step = scene.contact.time_step = time_step;
 
   dem::Engine engine = make_engine(scene.contact, {}, {0.0, 0.0, 0.0}, 1);
-  fluid::LiquidSolver liquid(scene);
-  coupling::PhaseCoupling exchange(scene, &liquid);
+  fluid::ThreeDimensionalLiquid liquid(scene);
+  coupling::PhaseCoupling exchange(scene, liquid, find_drag_law(scene.coupling.drag_law));
   for (int k = 0; k < 10 * layers; ++k)
     for (int j = 0; j < 2; ++j)
       for (int i = 0; i < 2; ++i)

@@ -3,7 +3,7 @@
 #include <numbers>
 
 #include "experiments/numerics/studies/problems/problem_list.hpp"
-#include "solver/fluid/liquid_solver.hpp"
+#include "solver/fluid/three_dimensional_liquid.hpp"
 
 namespace slfb::studies {
 namespace {
@@ -29,7 +29,7 @@ TrialResult solve(const Scene& given, const Parameters& parameters, int) {
   scene.fluid.wall = LateralBoundary::periodic;
   scene.fluid.cells_across = cells;
   scene.fluid.cell_height = 1.0 / cells;
-  fluid::LiquidSolver liquid(scene, true);
+  fluid::ThreeDimensionalLiquid liquid(scene, true);
   auto state = liquid.state();
   for (const std::size_t a : {std::size_t{0}, std::size_t{1}})
     for (std::size_t n = 0; n < liquid.nodes(a); ++n) {
