@@ -172,7 +172,7 @@ void Hdf5File::write(const std::string& path, const std::vector<std::uint8_t>& v
 
 void Hdf5File::write_attribute_values(const std::string& object, const std::string& name, const void* values,
                                       std::int64_t memory_type, std::int64_t file_type, std::int64_t space) {
-  const std::string place = fmt::format("{}@{}", object, name);
+  const std::string item = fmt::format("{}@{}", object, name);
   if (!exists(object)) {
     const Handle link(H5Pcreate(H5P_LINK_CREATE), H5Pclose);
     H5Pset_create_intermediate_group(link.get(), 1);
@@ -182,8 +182,8 @@ void Hdf5File::write_attribute_values(const std::string& object, const std::stri
   const Handle attribute(
       H5Acreate_by_name(handle_, object.c_str(), name.c_str(), file_type, space, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT),
       H5Aclose);
-  if (!attribute.valid()) fail("create the attribute", place);
-  if (H5Awrite(attribute.get(), memory_type, values) < 0) fail("write the attribute", place);
+  if (!attribute.valid()) fail("create the attribute", item);
+  if (H5Awrite(attribute.get(), memory_type, values) < 0) fail("write the attribute", item);
 }
 
 void Hdf5File::write_attribute(const std::string& object, const std::string& name, double value) {
@@ -266,14 +266,14 @@ std::vector<std::uint32_t> Hdf5File::read_unsigned(const std::string& path) cons
 template <class Value>
 std::vector<Value> Hdf5File::read_attribute_values(const std::string& object, const std::string& name,
                                                    std::int64_t memory_type) const {
-  const std::string place = fmt::format("{}@{}", object, name);
+  const std::string item = fmt::format("{}@{}", object, name);
   const Handle attribute(H5Aopen_by_name(handle_, object.c_str(), name.c_str(), H5P_DEFAULT, H5P_DEFAULT), H5Aclose);
-  if (!attribute.valid()) fail("open the attribute", place);
+  if (!attribute.valid()) fail("open the attribute", item);
   const Handle space(H5Aget_space(attribute.get()), H5Sclose);
   const hssize_t count = H5Sget_simple_extent_npoints(space.get());
-  if (count < 0) fail("read the shape of the attribute", place);
+  if (count < 0) fail("read the shape of the attribute", item);
   std::vector<Value> values(static_cast<std::size_t>(count));
-  if (H5Aread(attribute.get(), memory_type, values.data()) < 0) fail("read the attribute", place);
+  if (H5Aread(attribute.get(), memory_type, values.data()) < 0) fail("read the attribute", item);
   return values;
 }
 
@@ -299,15 +299,15 @@ std::vector<std::int64_t> Hdf5File::read_integers_attribute(const std::string& o
 
 std::string Hdf5File::read_string_attribute(const std::string& object, const std::string& name) const {
   const LibraryLock lock;
-  const std::string place = fmt::format("{}@{}", object, name);
+  const std::string item = fmt::format("{}@{}", object, name);
   const Handle attribute(H5Aopen_by_name(handle_, object.c_str(), name.c_str(), H5P_DEFAULT, H5P_DEFAULT), H5Aclose);
-  if (!attribute.valid()) fail("open the attribute", place);
+  if (!attribute.valid()) fail("open the attribute", item);
   const Handle type(H5Aget_type(attribute.get()), H5Tclose);
   if (H5Tget_class(type.get()) != H5T_STRING || H5Tis_variable_str(type.get()) != 0) {
-    fail("read as fixed-length text the attribute", place);
+    fail("read as fixed-length text the attribute", item);
   }
   std::string value(H5Tget_size(type.get()), '\0');
-  if (H5Aread(attribute.get(), type.get(), value.data()) < 0) fail("read the attribute", place);
+  if (H5Aread(attribute.get(), type.get(), value.data()) < 0) fail("read the attribute", item);
   value.resize(std::min(value.find('\0'), value.size()));
   return value;
 }

@@ -16,9 +16,9 @@ using Shape = std::vector<std::size_t>;
 
 /// An open HDF5 file.
 ///
-/// Objects are named by their path, "bed/time"; the groups above a data set are made when it is written. Every failure
-/// is a std::runtime_error that names the file, the object, what was tried and the reason HDF5 gives. Files may be used
-/// from several threads at once, each file from one thread at a time.
+/// Objects are named by their path, "bed/time"; the groups above a data set are made when it is written. Every function
+/// but the destructor throws std::runtime_error on failure; it names the file, the object, what was tried and the
+/// reason that HDF5 gives. Several threads may use files at the same time, but each file only one of them.
 class Hdf5File {
  public:
   /// An empty file; one that exists is replaced.
@@ -33,13 +33,16 @@ class Hdf5File {
   /// Writes what is still buffered and closes the file. The destructor closes too, but cannot report a failure.
   void close();
 
+  /// A new data set; it is an error if the path exists or if the values do not fill the shape. `unit`, in UDUNITS
+  /// spelling ("m s-1", "1" for a ratio), becomes the attribute `unit` of the data set, unless it is empty. Data sets
+  /// of 512 values or more are compressed.
   void write(const std::string& path, const std::vector<double>& values, const std::string& unit = "",
              Storage storage = Storage::float64, const Shape& shape = {});
   void write(const std::string& path, const std::vector<std::int64_t>& values, const Shape& shape = {});
   void write(const std::string& path, const std::vector<std::uint32_t>& values, const Shape& shape = {});
   void write(const std::string& path, const std::vector<std::uint8_t>& values, const Shape& shape = {});
 
-  /// Attributes of a data set or group; a group that does not exist yet is made. "/" is the root.
+  /// A new attribute of a data set or group; a group that does not exist yet is made. "/" is the root.
   void write_attribute(const std::string& object, const std::string& name, double value);
   void write_attribute(const std::string& object, const std::string& name, std::int64_t value);
   void write_attribute(const std::string& object, const std::string& name, const std::vector<double>& values);
@@ -47,11 +50,14 @@ class Hdf5File {
   /// Stored with fixed length (VTK reads no other).
   void write_attribute(const std::string& object, const std::string& name, const std::string& value);
 
+  /// All values of a data set, converted to the type asked for, slowest index first.
   [[nodiscard]] std::vector<double> read_doubles(const std::string& path) const;
   [[nodiscard]] std::vector<std::int64_t> read_integers(const std::string& path) const;
   [[nodiscard]] std::vector<std::uint32_t> read_unsigned(const std::string& path) const;
+  /// Extents of a data set.
   [[nodiscard]] Shape shape(const std::string& path) const;
 
+  /// The value, or all values, of an attribute.
   [[nodiscard]] double read_double_attribute(const std::string& object, const std::string& name) const;
   [[nodiscard]] std::int64_t read_integer_attribute(const std::string& object, const std::string& name) const;
   [[nodiscard]] std::vector<std::int64_t> read_integers_attribute(const std::string& object,
@@ -85,8 +91,9 @@ class Hdf5File {
   std::int64_t handle_ = -1;  ///< HDF5's hid_t; negative: closed
 };
 
-/// Writes a file so that a reader or a crash never meets half of it: `fill` gets a temporary beside `file`, which then
-/// takes its place. Missing folders are made.
+/// Writes a file that a reader, even after a crash, finds whole or not at all: `fill` gets a temporary file in the same
+/// folder, which is then renamed to `file`. Missing folders are made. If `fill` or writing throws, the temporary file
+/// is removed, an earlier `file` stays, and the exception goes on.
 void write_atomically(const std::filesystem::path& file, const std::function<void(Hdf5File&)>& fill);
 
 }  // namespace slfb::io

@@ -17,7 +17,8 @@ struct BedSeries {
   std::vector<double> pressure_drop;          ///< inlet minus outlet, static head removed [Pa]
   std::vector<double> centre_of_mass_height;  ///< of the bed particles [m]
   std::vector<double> bed_top;                ///< 99th percentile of the bed particles' centre heights [m]
-  std::vector<double> fluctuating_energy;  ///< q_p² = 3/2 u'² (Eq. 39), u'² the mean per-component variance [m²/s²]
+  std::vector<double>
+      fluctuating_energy;  ///< q_p² = 3/2 u'² (Peng 2014, Eq. 39), u'² the mean per-component variance [m²/s²]
   std::vector<double> contacts_per_particle;     ///< mean coordination number [-]
   std::vector<double> local_fluctuating_energy;  ///< q_p² about the mean velocity in boxes of 4 diameters [m²/s²]
   std::vector<double>
@@ -45,7 +46,7 @@ struct DropSeries {
   std::vector<double> angular_speed;                       ///< [rad/s]
   std::vector<double> voidage;                             ///< at the particle [-]
   std::vector<double> liquid_velocity_z;                   ///< interstitial, at the particle [m/s]
-  std::vector<double> reynolds;                            ///< Eq. 25 [-]
+  std::vector<double> reynolds;                            ///< Peng 2014, Eq. 25 [-]
   std::vector<double> contact_force;  ///< |F_c|, magnitude of the resultant contact force, instantaneous [N]
   std::vector<double> contact_force_mean_x, contact_force_mean_y,
       contact_force_mean_z;                 ///< mean over the sampling interval [N]
@@ -55,25 +56,27 @@ struct DropSeries {
   std::vector<double> cumulative_contacts;  ///< new contacts since release [-]
 };
 
-/// Void fraction in the plane y = 0 at one instant, row after row from the bottom.
+/// Void fraction and liquid velocity in the plane y = 0 at one instant, row after row from the bottom: fields have
+/// x.size() * z.size() values, with the index iz * x.size() + ix. Empty without a flowing liquid.
 struct PlaneField {
-  double time = 0.0;                           ///< [s]
-  std::vector<double> x, z;                    ///< cell-centre coordinates [m]
-  std::vector<double> voidage;                 ///< size x.size() * z.size(), index = iz * x.size() + ix; NaN outside
-  std::vector<double> velocity_x, velocity_z;  ///< interstitial liquid velocity at the cell centres [m/s]
+  double time = 0.0;                           ///< on the clock of BedSeries [s]
+  std::vector<double> x, z;                    ///< centres of the cells along each axis [m]
+  std::vector<double> voidage;                 ///< [-]; outside a round column that of the nearest cell
+  std::vector<double> velocity_x, velocity_z;  ///< interstitial liquid velocity at the centres of the cells [m/s]
 };
 
-/// Fluctuation of the liquid's velocity (Eq. 37) in the window that the source films: cells of the plane y = 0 (those
-/// on its positive side) with 0.1 m < z < 0.2 m, over the second half of the fluidise stage.
+/// Fluctuation of the liquid's velocity (Peng 2014, Eq. 37) in a window: cells of the plane y = 0, those on its
+/// positive side, with centres at the heights of Scene::recording.fluctuation_window, over the second half of the
+/// fluidise stage. Empty until that stage is over, and without a flowing liquid. n samples, m cells.
 struct LiquidFluctuation {
-  std::vector<double> time;                                         ///< of the samples [s]
-  std::vector<double> x, z;                                         ///< centres of the cells [m]
-  std::vector<double> mean_x, mean_y, mean_z;                       ///< mean velocity per cell [m/s]
-  std::vector<double> deviation_x, deviation_y, deviation_z;        ///< mean |u − ū| per cell and component [m/s]
-  std::vector<double> deviation_vector;                             ///< mean length of the vector u − ū [m/s]
-  std::vector<double> rms_x, rms_y, rms_z;                          ///< root mean square of u − ū [m/s]
-  std::vector<double> series_x, series_y, series_z, series_vector;  ///< per sample, mean over the cells of |u − ū|
-  std::vector<double> samples_x, samples_y, samples_z;              ///< only while they are taken: sample after sample
+  std::vector<double> time;                                   ///< n, of the samples, on the clock of BedSeries [s]
+  std::vector<double> x, z;                                   ///< m, centres of the cells [m]
+  std::vector<double> mean_x, mean_y, mean_z;                 ///< m, mean velocity ū [m/s]
+  std::vector<double> deviation_x, deviation_y, deviation_z;  ///< m, mean |u − ū| per component [m/s]
+  std::vector<double> deviation_vector;                       ///< m, mean length of the vector u − ū [m/s]
+  std::vector<double> rms_x, rms_y, rms_z;                    ///< m, root mean square of u − ū [m/s]
+  std::vector<double> series_x, series_y, series_z, series_vector;  ///< n, mean over the cells of |u − ū| [m/s]
+  std::vector<double> samples_x, samples_y, samples_z;  ///< n m velocities, sample after sample, until reduced [m/s]
 };
 
 /// Where the spheres were at one instant, to 1/65536 m.
@@ -85,6 +88,7 @@ struct Snapshot {
   std::vector<double> radius;   ///< [m]
 };
 
+/// Everything that a run hands on.
 struct RunResult {
   std::string name;        ///< hash of the scene and the numerics version
   std::string scene_text;  ///< canonical TOML of the scene, every value in SI
@@ -108,15 +112,17 @@ struct RunResult {
   std::vector<Snapshot> snapshots;
 };
 
-/// Calls `visit` with each column of a series.
+/// Calls `visit` with each column of a series, in the order of the file.
 void for_each_column(BedSeries& series, const std::function<void(std::vector<double>&)>& visit);
 void for_each_column(DropSeries& series, const std::function<void(std::vector<double>&)>& visit);
 
-/// Writes `result` to an HDF5 file: one group per series, attribute `unit` on each data set, scene text,
-/// versions and provenance as attributes of the root. Written to a temporary file and renamed.
+/// Writes a result to an HDF5 file, whose groups solver/io/README.md lists. A temporary file takes the place of `file`
+/// when it is complete. Series are stored in single precision, times in double. Throws std::runtime_error that names
+/// the file if it cannot be written.
 void save_result(const RunResult& result, const std::filesystem::path& file);
 
-/// Reads what save_result wrote. Throws std::runtime_error naming the file and the missing item.
+/// Reads what save_result wrote. Throws std::runtime_error that names the file and the item that is missing or damaged.
+/// A result written before fluctuations and snapshots were recorded has none of them.
 RunResult load_result(const std::filesystem::path& file);
 
 }  // namespace slfb

@@ -10,14 +10,18 @@
 /// Snapshots for ParaView 5.10 and later (VTKHDF 1.0, the version that VTK 9.1 reads).
 namespace slfb::io {
 
-/// Spheres as an unstructured grid of points: radius, diameter, velocity, angular velocity and species. The time
-/// [s] is the attribute `time_seconds`.
+/// Spheres as an unstructured grid of points with radius and diameter [m], velocity [m/s], angular velocity [rad/s] and
+/// species (index into Scene::species), in single precision. `time` [s] is the attribute `time_seconds`. Throws
+/// std::runtime_error that names the file if it cannot be written.
 void write_particles_vtkhdf(const std::filesystem::path& file, const dem::Particles& particles, double time);
 
-/// Liquid as an image whose points are the centres of the squares times the layers of the column: voidage, velocity
-/// and pressure; across a single square or layer both its ends. A square whose centre lies outside the column holds
-/// NaN. Fields are indexed as in ColumnGrid; `cell_velocity` is the velocity at the cell centres [m/s], `pressure` in
-/// Pa.
+/// Liquid as an image with voidage [-], velocity [m/s] and pressure [Pa], in single precision.
+///
+/// The points of the image are the centres of the squares times the layers of the column; across a single square or
+/// layer they are its two ends, with the same values. A square whose centre lies outside the column holds NaN.
+/// \param voidage, pressure, cell_velocity one value per cell, in the order of ColumnGrid: grid.size() values each
+/// \param time [s], as for the spheres
+/// \throws std::runtime_error that names the file if it cannot be written
 void write_liquid_vtkhdf(const std::filesystem::path& file, const fluid::ColumnGrid& grid,
                          const std::vector<double>& voidage, const std::array<std::vector<double>, 3>& cell_velocity,
                          const std::vector<double>& pressure, double time);

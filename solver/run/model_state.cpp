@@ -30,7 +30,7 @@ void exchange_fields(io::StateGroup& group, const Owner& owner, Restore restore)
   try {
     restore(read);
   } catch (const std::exception& error) {
-    group.fail("", error.what());
+    group.fail("", fmt::format("cannot be restored: {}", error.what()));
   }
   const NamedFields restored = owner.state();
   for (const auto& [name, values] : read)

@@ -3,30 +3,15 @@
 #include <fmt/chrono.h>
 #include <fmt/core.h>
 #include <sys/resource.h>
-#include <sys/utsname.h>
 
 #include <ctime>
-#include <fstream>
 #include <numbers>
-#include <string>
 #include <thread>
 
 #include "solver/laws/scene_file.hpp"
+#include "solver/support/processor.hpp"
 
 namespace slfb::simulation {
-namespace {
-
-std::string machine_name() {
-  std::ifstream cpu_info("/proc/cpuinfo");
-  for (std::string line; std::getline(cpu_info, line);)
-    if (line.starts_with("model name"))
-      return fmt::format("{}, {} cores", line.substr(line.find(':') + 2), std::thread::hardware_concurrency());
-  utsname system{};
-  uname(&system);
-  return system.machine;
-}
-
-}  // namespace
 
 RunResult new_result(const Scene& scene, int threads) {
   RunResult result;
@@ -35,7 +20,7 @@ RunResult new_result(const Scene& scene, int threads) {
   result.suite_version = SLFB_VERSION;
   result.threads = threads;
   result.steps_per_contact = std::numbers::pi * contact_time_step_bound(scene) / scene.contact.time_step;
-  result.machine = machine_name();
+  result.machine = fmt::format("{}, {} cores", processor_name(), std::thread::hardware_concurrency());
   return result;
 }
 
