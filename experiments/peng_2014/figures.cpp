@@ -2,9 +2,6 @@
 
 #include "experiments/figures/figure.hpp"
 #include "experiments/numerics/figures.hpp"
-#include "experiments/peng_2014/fig25_collision_force/collision_force_laws.hpp"
-#include "experiments/peng_2014/from_66_hours/from_66_hours.hpp"
-#include "experiments/peng_2014/planned_figures/figure_plans.hpp"
 
 namespace slfb {
 
@@ -43,7 +40,7 @@ const std::vector<Figure>& figures() {
                             causes(),
                             from_66_hours(),
                             paper_steps(),
-                            plan::planned_figures()};
+                            planned_figures()};
     for (Figure& figure : numerics_figures()) all.push_back(std::move(figure));
     return all;
   }();

@@ -71,5 +71,9 @@ Figure drag_law_question();
 Figure printed_voidage();
 /// Steps and stiffness of the paper beside the limits of the stability maps, and what its contact step changes.
 Figure paper_steps();
+/// From the paper's 66 hours to ours, one change at a time: what each saves and what it costs in each quantity.
+Figure from_66_hours();
+/// For each figure the cheapest choice of tier, stiffness and steps that answers it, beside those of paper and profile.
+Figure planned_figures();
 
 }  // namespace slfb

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "experiments/figures/figure_folder.hpp"
 #include "experiments/figures/figure_support.hpp"
 #include "experiments/peng_2014/causes/causes.hpp"
 #include "experiments/peng_2014/figures.hpp"
@@ -12,6 +13,7 @@
 namespace slfb {
 namespace {
 
+const FigureFolder folder{"peng_2014/causes"};
 constexpr const char* system_name = "6in5W";
 constexpr std::array velocities{0.06, 0.10};  // [m/s]
 constexpr const char* unchanged = "gidaspow-1994_friction-0_3";
@@ -84,14 +86,13 @@ FigureOutput draw(const FigureContext& outer) {
   const Measurements own = measure_runs(runs), base = base_measurements(outer.results);
   const FigureContext context{profile, runs, own, outer.out, outer.results};
   const auto keys = needs(profile);
-  FigureOutput output{"causes", {}, "", run_notes(context, keys)};
+  FigureOutput output{"causes", {}, folder.caption(), run_notes(context, keys)};
 
   DataTable table{"causes", {"row [-]"}, {}};
   for (const double velocity : velocities)
     for (const Quantity& quantity : quantities)
       for (const char* what : {"ratio", "half width"})
         table.columns.push_back(fmt::format("{} {} at {:.2f} m/s [-]", quantity.name, what, velocity));
-  std::string names, nameless;  // tics of the first panel and of the others
   for (std::size_t k = 0; k < changes.size(); ++k) {
     const Measurements changed = measured(load_profile(changes[k].profile), changes[k].variant, outer.results);
     std::vector<double> row{static_cast<double>(k)};
@@ -101,58 +102,17 @@ FigureOutput draw(const FigureContext& outer) {
         row.insert(row.end(), {ratio.value, ratio.half_width});
       }
     table.rows.push_back(std::move(row));
-    names += fmt::format("{}\"{}\" {}", k > 0 ? ", " : "", changes[k].title, k);
-    nameless += fmt::format("{}\"\" {}", k > 0 ? ", " : "", k);
   }
   output.data.push_back(write_csv(table, outer.out));
-  output.caption =
-      "Each row changes one thing of the bed of 5 mm glass under the falling 6 mm steel sphere and leaves the rest as "
-      "in "
-      "profile drag-law with Gidaspow's law and friction 0.3. Shown is the quantity over that of the unchanged bed, at "
-      "U_L = 0.06 m/s (circles) and 0.10 m/s (squares), with 95 % intervals (packed bed: voidage as settled, one bed, "
-      "which "
-      "U_L does not change). Points beyond the axes are drawn at their "
-      "ends. The row of the paper's own steps has its springs and duration too. The claims say in their reasons which "
-      "of these changes would bring them inside the paper's band.";
 
-  std::string script = fmt::format(
-      "set multiplot\nset tmargin at screen 1 - 34.0/height\nset bmargin at screen base + 40.0/height\n"
-      "set yrange [{}:-0.7]\nset xrange [0:2.4]\nset xtics 1\nset mxtics 2\nset grid x y\nset key at screen 0.01, "
-      "screen 1 - 6.0/height left top Left reverse font ',11'\n"
-      "set ytics ({})\nset arrow 1 from 1,graph 0 to 1,graph 1 nohead linecolor rgb paper\nunset xlabel\nunset ylabel\n"
-      "inside(x) = x > 2.4 ? 2.4 : x\n",
-      static_cast<double>(changes.size()) - 0.3, names);
-  constexpr double left = 0.2, right = 0.99;
-  const double width = (right - left) / static_cast<double>(quantities.size());
-  for (std::size_t q = 0; q < quantities.size(); ++q) {
-    const double start = left + width * static_cast<double>(q);
-    script += fmt::format("set lmargin at screen {:.4f}\nset rmargin at screen {:.4f}\nset title '{}' font ',12'\n",
-                          start, start + width - 0.012, quantities[q].title);
-    std::string plots;
-    for (std::size_t v = 0; v < velocities.size(); ++v) {
-      const std::size_t column = 2 + 2 * (v * quantities.size() + q);
-      const auto any = [&](std::size_t number) {
-        return std::ranges::any_of(table.rows, [&](const auto& row) { return std::isfinite(row[number - 1]); });
-      };
-      const std::string style =
-          fmt::format("linecolor rgb {} pointtype {}", v == 0 ? "ours" : "variant", v == 0 ? 7 : 5);
-      const double shift = v == 0 ? -0.15 : 0.15;
-      if (any(column + 1))
-        plots += fmt::format(", 'causes.csv' skip 1 using {}:($1+{}):{} with xerrorbars {} pointsize 0.01 notitle",
-                             column, shift, column + 1, style);
-      // What is not simulated yet keeps its place in the key.
-      plots += any(column)
-                   ? fmt::format(", 'causes.csv' skip 1 using (inside(${})):($1+{}) with points {} pointsize 0.7",
-                                 column, shift, style)
-                   : fmt::format(", NaN with points {} pointsize 0.7", style);
-      plots += fmt::format(" title '{:.2f} m/s'", velocities[v]);
-    }
-    plots.replace(0, 2, "plot ");
-    script += plots + "\n";
-    if (q == 0) script += fmt::format("eval footer_drawn\nunset key\nset ytics ({})\n", nameless);
-  }
-  script += "unset multiplot\n";
-  draw_figure_of_runs("causes", script, {1300, 560}, context, keys);
+  PlotValues values;
+  std::vector<std::string> change_titles, quantity_titles;
+  for (const Change& change : changes) change_titles.emplace_back(change.title);
+  for (const Quantity& quantity : quantities) quantity_titles.emplace_back(quantity.title);
+  values.texts("change", change_titles);
+  values.markups("quantity", quantity_titles);
+  values.numbers("velocity", {velocities.begin(), velocities.end()});
+  draw_plot_of_runs("causes", folder.plot(), values, {1300, 560}, context, keys);
   return output;
 }
 
@@ -169,7 +129,7 @@ bool is_of_this_bed(const Claim& claim) {
 
 }  // namespace
 
-Figure causes() { return {"causes", "What one change does", needs, draw, "peng_2014/causes"}; }
+Figure causes() { return {"causes", folder.title(), needs, draw, folder.path().string()}; }
 
 void name_causes(std::vector<Evaluation>& evaluations, const std::filesystem::path& results) {
   std::vector<Claim> claims;

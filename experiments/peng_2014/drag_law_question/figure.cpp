@@ -9,6 +9,7 @@
 #include "correlations/collision/collision_laws.hpp"
 #include "correlations/drag/drag_laws.hpp"
 #include "correlations/fluidisation/bed_expansion.hpp"
+#include "experiments/figures/figure_folder.hpp"
 #include "experiments/figures/figure_support.hpp"
 #include "experiments/peng_2014/figures.hpp"
 #include "experiments/peng_2014/paper_conditions.hpp"
@@ -18,22 +19,20 @@
 namespace slfb {
 namespace {
 
+const FigureFolder folder{"peng_2014/drag_law_question"};
 constexpr const char* system_name = "6in5W";
 
-/// One law with one friction, as its runs are called in profiles.toml and as it is drawn.
+/// One law with one friction, as its runs are called in profiles.toml.
 struct Combination {
   const char *variant, *law;
   double friction;
-  const char* colour;
-  int point_type;
-  double shift;  ///< of its points along U_L, so that they do not hide each other [m/s]
 };
-constexpr std::array combinations{Combination{"gidaspow-1994_friction-0_3", "Gidaspow", 0.3, "ours", 5, -0.004},
-                                  Combination{"gidaspow-1994_friction-0_1", "Gidaspow", 0.1, "ours", 9, -0.0024},
-                                  Combination{"gidaspow-1994_friction-0", "Gidaspow", 0.0, "ours", 6, -0.0008},
-                                  Combination{"wen-yu-1966_friction-0_3", "Wen-Yu", 0.3, "variant", 5, 0.0008},
-                                  Combination{"wen-yu-1966_friction-0_1", "Wen-Yu", 0.1, "variant", 9, 0.0024},
-                                  Combination{"wen-yu-1966_friction-0", "Wen-Yu", 0.0, "variant", 6, 0.004}};
+constexpr std::array combinations{Combination{"gidaspow-1994_friction-0_3", "Gidaspow", 0.3},
+                                  Combination{"gidaspow-1994_friction-0_1", "Gidaspow", 0.1},
+                                  Combination{"gidaspow-1994_friction-0", "Gidaspow", 0.0},
+                                  Combination{"wen-yu-1966_friction-0_3", "Wen-Yu", 0.3},
+                                  Combination{"wen-yu-1966_friction-0_1", "Wen-Yu", 0.1},
+                                  Combination{"wen-yu-1966_friction-0", "Wen-Yu", 0.0}};
 
 /// Its runs belong to a profile of their own: nothing else waits for them.
 std::vector<std::string> needs(const Profile& profile) {
@@ -92,10 +91,13 @@ FigureOutput draw(const FigureContext& outer) {
     equation40.rows.push_back({0.01 * step, collision::Peng2014{}(paper::steel_in_glass(0.1, 0.01 * step), 0.0)});
   for (const auto* table : {&lines, &printed, &equation40}) output.data.push_back(write_csv(*table, outer.out));
 
-  std::string voidages, velocities, forces, sentences;
+  std::vector<std::string> tables, laws;
+  std::vector<double> frictions, shifts;
+  std::string deviations;
   double least = std::numeric_limits<double>::infinity();
   std::string nearest;
-  for (const Combination& c : combinations) {
+  for (std::size_t k = 0; k < combinations.size(); ++k) {
+    const Combination& c = combinations[k];
     DataTable table{fmt::format("drag_law_{}", c.variant),
                     {"superficial velocity [m/s]", "voidage [-]", "half width [-]", "V_2 [m/s]", "half width [m/s]",
                      "|F_c|/mg [-]", "half width [-]", "drag over weight [-]", "wall time per simulated time [s/s]"},
@@ -124,65 +126,33 @@ FigureOutput draw(const FigureContext& outer) {
     if (table.rows.empty()) continue;
     const double deviation = std::sqrt(squares / std::max(1, counted));
     const std::string title = fmt::format("{}, friction {}", c.law, c.friction);
-    sentences += fmt::format("{}{}: {:.0f} %", sentences.empty() ? "" : "; ", title, 100.0 * deviation);
+    deviations += fmt::format("{}{}: {:.0f} %", deviations.empty() ? "" : "; ", title, 100.0 * deviation);
     if (deviation < least) least = deviation, nearest = title;
     output.data.push_back(write_csv(table, outer.out));
-    // Points and bars apart: a mean without an interval still has its point.
-    const auto series = [&](std::size_t column, std::size_t x_column, double shift, bool titled) {
-      const auto any = [&](std::size_t k) {
-        return std::any_of(table.rows.begin(), table.rows.end(),
-                           [&](const auto& row) { return std::isfinite(row[k - 1]); });
-      };
-      const std::string style = fmt::format("linecolor rgb {} pointtype {} pointsize 0.8", c.colour, c.point_type);
-      std::string plots;
-      if (any(column + 1))
-        plots += fmt::format(", '{}.csv' skip 1 using (${}+{}):{}:{} with yerrorbars {} notitle", table.name, x_column,
-                             shift, column, column + 1, style);
-      if (any(column))
-        plots += fmt::format(", '{}.csv' skip 1 using (${}+{}):{} with points {} {}", table.name, x_column, shift,
-                             column, style, titled ? fmt::format("title '{}'", title) : std::string("notitle"));
-      return plots;
-    };
-    voidages += series(2, 1, c.shift, true);
-    velocities += series(4, 1, c.shift, false);
-    forces += series(6, 2, 0.0, false);
+    tables.push_back(table.name);
+    laws.emplace_back(c.law);
+    frictions.push_back(c.friction);
+    // Along U_L, so that the points of one velocity do not hide each other [m/s].
+    shifts.push_back(0.0016 * (static_cast<double>(k) - 2.5));
   }
-  output.caption =
-      "Voidage of the bed, classification velocity of the 6 mm steel sphere and its mean collision force, with "
-      "Gidaspow's and with Wen and Yu's drag law and three sliding frictions (Peng 2014: 0.3). Black: what the paper "
-      "prints (Fig. 13, Table 2, Eq. 40). Lines: the homogeneous bed of each law; Gidaspow's has none between 0.131 "
-      "and "
-      "0.255 m/s. Bars: 95 % intervals.";
-  if (!nearest.empty())
-    output.caption += fmt::format(
-        " Root mean square deviation from the printed V_2, and from the printed voidages over their distance from 0.4: "
-        "{}. "
-        "Nearest: {}.",
-        sentences, nearest);
+  output.caption = folder.caption(
+      {{"deviations",
+        nearest.empty() ? ""
+                        : fmt::format("Root mean square deviation from the printed V_2, and from the printed voidages "
+                                      "over their distance from 0.4: {}. Nearest: {}.",
+                                      deviations, nearest)}});
 
-  const std::string script =
-      "set multiplot\nset tmargin at screen 1 - 16.0/height\nset bmargin at screen base + 74.0/height\n"
-      "set xrange [0.04:0.22]\nset xtics 0.04\nset xlabel 'U_L [m/s]'\n"
-      "set key at screen 0.83, screen 1 - 16.0/height left top Left reverse font ',11'\n"
-      "set lmargin at screen 0.085\nset rmargin at screen 0.27\nset ylabel 'voidage [-]'\nset yrange [0.4:0.9]\n"
-      "plot 'drag_law_homogeneous.csv' skip 1 using 1:2 with lines linecolor rgb ours title 'homogeneous, Gidaspow', "
-      "'' skip 1 using 1:3 with lines linecolor rgb variant title 'homogeneous, Wen-Yu', "
-      "'drag_law_paper.csv' skip 1 using 1:2 with points linecolor rgb paper pointtype 2 pointsize 0.9 title 'paper'" +
-      voidages +
-      "\neval footer_drawn\nunset key\n"
-      "set lmargin at screen 0.355\nset rmargin at screen 0.54\nset ylabel 'V_2 [m/s]'\nset yrange [0:0.5]\n"
-      "plot 'drag_law_paper.csv' skip 1 using 1:3 with points linecolor rgb paper pointtype 2 pointsize 0.9 notitle" +
-      velocities +
-      "\nset lmargin at screen 0.625\nset rmargin at screen 0.81\nset xrange [0.44:0.9]\nset xtics 0.1\n"
-      "set xlabel 'voidage [-]'\nset ylabel '|F_c|/mg [-]'\nset yrange [0:1.2]\n"
-      "plot 'drag_law_equation_40.csv' skip 1 using 1:2 with lines linecolor rgb paper notitle" +
-      forces + "\nunset multiplot\n";
-  draw_figure_of_runs("drag-law", script, {1180, 420}, context, keys);
+  PlotValues values;
+  values.files("simulated", tables, equation40.name);
+  values.texts("law", laws);
+  values.numbers("friction", frictions);
+  values.numbers("shift", shifts);
+  draw_plot_of_runs("drag-law", folder.plot(), values, {1180, 420}, context, keys);
   return output;
 }
 
 }  // namespace
 
-Figure drag_law_question() { return {"drag-law", "The drag-law question", needs, draw, "peng_2014/drag_law_question"}; }
+Figure drag_law_question() { return {"drag-law", folder.title(), needs, draw, folder.path().string()}; }
 
 }  // namespace slfb

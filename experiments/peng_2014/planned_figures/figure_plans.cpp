@@ -8,11 +8,9 @@
 #include <stdexcept>
 #include <string_view>
 
-#include "experiments/figures/drawn_table.hpp"
 #include "experiments/numerics/plan/plan.hpp"
 #include "experiments/runs/measure.hpp"
 #include "experiments/runs/run_estimate.hpp"
-#include "reports/gnuplot.hpp"
 #include "solver/support/folders.hpp"
 #include "solver/support/toml_table.hpp"
 
@@ -142,49 +140,6 @@ std::string figure_plans_text(const std::vector<FigurePlan>& plans) {
                         plan.by_formula ? "ms" : fmt::format("{:.3g}", plan.core_seconds), plan.paper_core_seconds,
                         plan.profile_core_seconds, plan.profile, plan.agreement, "", fmt::join(plan.asked, ", "));
   return text;
-}
-
-Figure planned_figures() {
-  const auto draw = [](const FigureContext& context) {
-    DataTable data{"planned-figures",
-                   {"row [-]", "estimated error over band [-]", "CPU time planned [s/s]",
-                    "CPU time of the paper's rung [s/s]", "CPU time of the profile [s/s]"},
-                   {}};
-    std::vector<std::vector<std::string>> rows;
-    std::vector<std::string> notes;
-    for (const FigurePlan& plan : figure_plans()) {
-      rows.push_back({plan.figure, plan.tier, plan.steps, fmt::format("{:.0f} %", 100.0 * plan.error_over_band),
-                      plan.by_formula ? "ms" : fmt::format("{:.3g}", plan.core_seconds),
-                      fmt::format("{:.3g}", plan.paper_core_seconds), fmt::format("{:.3g}", plan.profile_core_seconds),
-                      fmt::format("{}: {}", plan.profile, plan.agreement)});
-      data.rows.push_back({static_cast<double>(rows.size()), plan.error_over_band, plan.core_seconds,
-                           plan.paper_core_seconds, plan.profile_core_seconds});
-      notes.push_back(fmt::format("{} asks for {}; nearest to its band: {}.", plan.figure, fmt::join(plan.asked, ", "),
-                                  plan.worst));
-    }
-    constexpr int width = 1040;
-    FigureOutput output{"planned-figures", {write_csv(data, context.out)}, "", std::move(notes)};
-    output.caption =
-        "For each figure with simulations the cheapest rung whose estimated error stays inside the bands of what it "
-        "asks for (100 % is the band), or the nearest to them where none does, by `slfb plan`; the estimated CPU "
-        "seconds per simulated second of that rung, of the "
-        "paper's mesh and steps with our engine (its SIMPLE iterations not counted), and of the profile; and where the "
-        "profile is coarser or richer than the plan.";
-    draw_figure("planned-figures",
-                table_commands({{"\nfigure", 14, true},
-                                {"\ncheapest rung", 130, true},
-                                {"springs, step of\nsolids/liquid", 250, true},
-                                {"error\nof band", 490},
-                                {"planned\n[s/s]", 570, false, "ours"},
-                                {"the paper\n[s/s]", 650},
-                                {"profile\n[s/s]", 730},
-                                {"\nthe profile beside the plan", 755, true}},
-                               rows, width),
-                {width, table_height(rows.size())}, context.out);
-    return output;
-  };
-  return {"planned-figures", "The cheapest rung for each figure",
-          [](const Profile&) { return std::vector<std::string>{}; }, draw, "numerics/plan"};
 }
 
 }  // namespace slfb::plan

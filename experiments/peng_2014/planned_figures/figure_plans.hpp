@@ -3,8 +3,6 @@
 #include <string>
 #include <vector>
 
-#include "experiments/figures/figure.hpp"
-
 /// The plan of each figure of the paper: what is asked of its simulations (figures.toml), the cheapest rung that
 /// answers it, and what the paper's own rung and the profile that the figure draws would take.
 namespace slfb::plan {
@@ -26,10 +24,7 @@ struct FigurePlan {
 /// \throws std::runtime_error with file, line and key
 std::vector<FigurePlan> figure_plans();
 
-/// As text, one line a figure.
+/// As text for a terminal, two lines a figure under a heading.
 std::string figure_plans_text(const std::vector<FigurePlan>& plans);
-
-/// The same as a picture of the report.
-Figure planned_figures();
 
 }  // namespace slfb::plan

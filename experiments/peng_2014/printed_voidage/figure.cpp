@@ -6,6 +6,7 @@
 #include "correlations/collision/collision_force/peng_2014.hpp"
 #include "correlations/drag/doroodchi_2012.hpp"
 #include "correlations/fluidisation/bed_expansion.hpp"
+#include "experiments/figures/figure_folder.hpp"
 #include "experiments/figures/figure_support.hpp"
 #include "experiments/peng_2014/bed_systems.hpp"
 #include "experiments/peng_2014/figures.hpp"
@@ -14,6 +15,8 @@
 
 namespace slfb {
 namespace {
+
+const FigureFolder folder{"peng_2014/printed_voidage"};
 
 std::vector<std::string> needs(const Profile& profile) {
   return select_run_keys(profile, [](const RunSpec& spec) {
@@ -71,7 +74,8 @@ FigureOutput draw(const FigureContext& context) {
   for (const auto* table : {&curve, &homogeneous, &printed}) output.data.push_back(write_csv(*table, context.out));
 
   Deviations own, by_equation_36;
-  std::string voidages, against_own, against_equation_36;
+  std::vector<Series> simulated;
+  std::vector<std::string> main_bed;  // its table
   for (const BedSystem& system : bed_systems) {
     DataTable table{fmt::format("printed_voidage_{}", system.name),
                     {"superficial velocity [m/s]", "voidage of the bed [-]", "half width of its 95 % interval [-]",
@@ -85,56 +89,27 @@ FigureOutput draw(const FigureContext& context) {
       by_equation_36.add(homogeneous_voidage, row[3]);
       table.rows.push_back(std::move(row));
     }
-    if (table.rows.empty()) continue;
-    output.data.push_back(write_csv(table, context.out));
-    if (system.name == main.name)
-      voidages = fmt::format(", '{}.csv' skip 1 using 1:2 with points linestyle {} title 'our bed'", table.name,
-                             system.line_style);
-    const auto points = [&](int column, bool titled) {
-      return fmt::format(", {}'{}.csv' skip 1 using {}:4 with points linestyle {} {}",
-                         error_bars(table, {column, 4, 5}, "yerrorbars", system.line_style), table.name, column,
-                         system.line_style, titled ? fmt::format("title '{}'", system.title) : std::string("notitle"));
-    };
-    against_own += points(2, true);
-    against_equation_36 += points(6, false);
+    if (system.name == main.name && !table.rows.empty()) main_bed.push_back(table.name);
+    simulated.push_back({std::move(table), std::string(system.title), system.line_style});
   }
-  output.caption = fmt::format(
-      "Left: mean voidages that the paper prints, those of Eq. 36 for a homogeneous bed (which they follow to {:.3f}), "
-      "and "
-      "those of our beds with the paper's drag law. Middle and right: the simulated collision force at the voidage of "
-      "our "
-      "bed and at the one of Eq. 36, against Eq. 40.",
-      largest);
-  if (own.points() > 0)
-    output.caption +=
-        fmt::format(" From Eq. 40 the force deviates, at the bed's own voidage, by {}; at that of Eq. 36 by {}.",
-                    own.text(), by_equation_36.text());
+  output.caption = folder.caption(
+      {{"largest", fmt::format("{:.3f}", largest)},
+       {"deviations",
+        own.points() == 0
+            ? ""
+            : fmt::format("From Eq. 40 the force deviates, at the bed's own voidage, by {}; at that of Eq. 36 by {}.",
+                          own.text(), by_equation_36.text())}});
 
-  const std::string script =
-      "set multiplot\nset tmargin at screen 1 - 16.0/height\nset bmargin at screen base + 74.0/height\n"
-      "set key at graph 0.98, graph 0.04 right bottom Left reverse font ',11'\n"
-      "set lmargin at screen 0.085\nset rmargin at screen 0.27\nset xlabel 'U_L [m/s]'\nset ylabel 'voidage [-]'\n"
-      "set xrange [0.04:0.24]\nset xtics 0.04\nset yrange [0.4:0.9]\n"
-      "plot 'printed_voidage_equation_36.csv' skip 1 using 1:2 with lines linecolor rgb paper title 'Eq. 36', "
-      "'printed_voidage_paper.csv' skip 1 using 1:2 with points linecolor rgb paper pointtype 2 title 'printed'" +
-      voidages +
-      "\neval footer_drawn\nset key at screen 0.83, screen 1 - 16.0/height left top Left reverse font ',11'\n"
-      "set xrange [0.42:0.92]\nset xtics 0.1\nset yrange [0.2:1.1]\nset ylabel '|F_c|/mg [-]'\n"
-      "set lmargin at screen 0.355\nset rmargin at screen 0.54\nset xlabel 'voidage of our bed [-]'\n"
-      "plot 'printed_voidage_equations.csv' skip 1 using 1:2 with lines linecolor rgb paper title 'Eq. 40'" +
-      against_own +
-      "\nunset key\nset lmargin at screen 0.625\nset rmargin at screen 0.81\nset xlabel 'voidage by Eq. 36 [-]'\n"
-      "plot 'printed_voidage_equations.csv' skip 1 using 1:2 with lines linecolor rgb paper notitle" +
-      against_equation_36 + "\nunset multiplot\n";
-  draw_figure_of_runs("printed-voidage", script, {1180, 420}, context, keys);
+  PlotValues values;
+  add_series("simulated", simulated, values, context, output);
+  values.files("main_bed", main_bed, printed.name);
+  values.number("main_bed_style", main.line_style);
+  draw_plot_of_runs("printed-voidage", folder.plot(), values, {1180, 420}, context, keys);
   return output;
 }
 
 }  // namespace
 
-Figure printed_voidage() {
-  return {"printed-voidage", "Whose voidage do the paper's figures stand on?", needs, draw,
-          "peng_2014/printed_voidage"};
-}
+Figure printed_voidage() { return {"printed-voidage", folder.title(), needs, draw, folder.path().string()}; }
 
 }  // namespace slfb

@@ -1,0 +1,47 @@
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "experiments/figures/drawn_table.hpp"
+#include "experiments/figures/figure_folder.hpp"
+#include "experiments/peng_2014/figures.hpp"
+#include "experiments/peng_2014/planned_figures/figure_plans.hpp"
+
+namespace slfb {
+namespace {
+
+const FigureFolder folder{"peng_2014/planned_figures"};
+
+FigureOutput draw(const FigureContext& context) {
+  DataTable data{"planned-figures",
+                 {"row [-]", "estimated error over band [-]", "CPU time planned [s/s]",
+                  "CPU time of the paper's rung [s/s]", "CPU time of the profile [s/s]"},
+                 {}};
+  std::vector<std::vector<std::string>> rows;
+  std::vector<std::string> notes;
+  for (const plan::FigurePlan& plan : plan::figure_plans()) {
+    rows.push_back({plan.figure, plan.tier, plan.steps, fmt::format("{:.0f} %", 100.0 * plan.error_over_band),
+                    plan.by_formula ? "ms" : fmt::format("{:.3g}", plan.core_seconds),
+                    fmt::format("{:.3g}", plan.paper_core_seconds), fmt::format("{:.3g}", plan.profile_core_seconds),
+                    fmt::format("{}: {}", plan.profile, plan.agreement)});
+    data.rows.push_back({static_cast<double>(rows.size()), plan.error_over_band, plan.core_seconds,
+                         plan.paper_core_seconds, plan.profile_core_seconds});
+    notes.push_back(
+        fmt::format("{} asks for {}; nearest to its band: {}.", plan.figure, fmt::join(plan.asked, ", "), plan.worst));
+  }
+  return draw_table("planned-figures", folder.caption(),
+                    {{"\nfigure", 14, true},
+                     {"\ncheapest rung", 130, true},
+                     {"springs, step of\nsolids/liquid", 250, true},
+                     {"error\nof band", 490},
+                     {"planned\n[s/s]", 570, false, "ours"},
+                     {"the paper\n[s/s]", 650},
+                     {"profile\n[s/s]", 730},
+                     {"\nthe profile beside the plan", 755, true}},
+                    rows, data, std::move(notes), 1040, context.out);
+}
+
+}  // namespace
+
+Figure planned_figures() { return {"planned-figures", folder.title(), no_runs, draw, folder.path().string()}; }
+
+}  // namespace slfb
