@@ -500,13 +500,13 @@ double seconds_per_contact(const ComparedContactLaw& law) {
   const Impact impact = bed_impact();
   const double radius = 0.5 * impact.first.diameter;
   for (std::size_t k = 0; k < dem::ContactBatch::capacity; ++k) {
-    batch->place_i.w[k] = batch->place_j.w[k] = radius;
-    batch->place_j.z[k] = radius * (2.0 - 1e-3 * (1.0 + static_cast<double>(k % 7)));
+    batch->radius_i(k) = batch->radius_j(k) = radius;
+    batch->position_j.z[k] = radius * (2.0 - 1e-3 * (1.0 + static_cast<double>(k % 7)));
     batch->relative_velocity.z[k] = 0.01 * (static_cast<double>(k % 5) - 2.0);
     batch->relative_velocity.x[k] = 0.01 * static_cast<double>(k % 3);
-    batch->spring.w[k] = std::sqrt(effective_mass(impact));
+    batch->root_effective_mass(k) = std::sqrt(effective_mass(impact));
   }
-  const dem::ContactKernel kernel = law.law.compute[dem::rolling_place(law.contact)][0];
+  const dem::ContactKernel kernel = law.law.compute[dem::rolling_index(law.contact)][0];
   // The fastest of several rounds: others use the machine too.
   double fastest = std::numeric_limits<double>::infinity();
   for (int round = 0; round < 50; ++round) {

@@ -4,20 +4,20 @@
 
 namespace slfb::dem {
 
-const std::vector<std::uint32_t>& CellSearch::sort(const std::vector<Row>& place, double skin,
+const std::vector<std::uint32_t>& CellSearch::sort(const std::vector<Vec4>& position, double skin,
                                                    const std::array<double, 3>& period) {
-  const std::size_t n = place.size();
+  const std::size_t n = position.size();
   skin_ = skin;
   period_ = period;
   std::array<double, 3> lower{}, upper{};
   double largest_radius = 0.0;
   for (std::size_t i = 0; i < n; ++i) {
-    const std::array<double, 3> x{place[i].x, place[i].y, place[i].z};
+    const std::array<double, 3> x{position[i].x, position[i].y, position[i].z};
     for (std::size_t a = 0; a < 3; ++a) {
       lower[a] = i == 0 ? x[a] : std::min(lower[a], x[a]);
       upper[a] = i == 0 ? x[a] : std::max(upper[a], x[a]);
     }
-    largest_radius = std::max(largest_radius, place[i].w);
+    largest_radius = std::max(largest_radius, position[i].w);
   }
   const double reach = 2.0 * largest_radius + skin;
   std::array<double, 3> extent{}, inverse{};
@@ -44,8 +44,8 @@ const std::vector<std::uint32_t>& CellSearch::sort(const std::vector<Row>& place
   unsorted_cell_.resize(n);
   cell_start_.assign(cell_count + 1, 0);
   for (std::size_t i = 0; i < n; ++i) {
-    unsorted_cell_[i] =
-        cell_index(cell_coordinate(0, place[i].x), cell_coordinate(1, place[i].y), cell_coordinate(2, place[i].z));
+    unsorted_cell_[i] = cell_index(cell_coordinate(0, position[i].x), cell_coordinate(1, position[i].y),
+                                   cell_coordinate(2, position[i].z));
     ++cell_start_[unsorted_cell_[i] + 1];
   }
   for (std::size_t c = 0; c < cell_count; ++c) cell_start_[c + 1] += cell_start_[c];
@@ -55,7 +55,7 @@ const std::vector<std::uint32_t>& CellSearch::sort(const std::vector<Row>& place
   cell_start_.erase(cell_start_.begin());
   cell_start_.push_back(static_cast<std::uint32_t>(n));
 
-  const auto key = [&](std::uint32_t i) { return std::tuple(place[i].x, place[i].y, place[i].z); };
+  const auto key = [&](std::uint32_t i) { return std::tuple(position[i].x, position[i].y, position[i].z); };
   cell_of_.resize(n);
   for (std::size_t c = 0; c < cell_count; ++c) {
     const std::uint32_t first = cell_start_[c], last = cell_start_[c + 1];

@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "solver/dem/vec3.hpp"
+#include "solver/support/vec3.hpp"
 
 namespace slfb::dem {
 
@@ -20,25 +20,26 @@ class CellSearch {
   /// Image of a periodic neighbour: (shift_x + 1) + 3 (shift_y + 1) + 9 (shift_z + 1) periods to add to its position.
   static constexpr std::uint8_t own_image = 13;
 
-  /// Returns the sorted order: order[new] = old. `place`: x, y, z and radius; `period`: extent of a periodic box around
-  /// the origin, 0 where the domain is not periodic [m]; `skin`: see for_pairs [m].
-  const std::vector<std::uint32_t>& sort(const std::vector<Row>& place, double skin,
+  /// Returns the sorted order: order[new] = old. `position`: centre and radius [m]; `period`: extent of a periodic box
+  /// around the origin, 0 where the domain is not periodic [m]; `skin`: see for_pairs [m].
+  const std::vector<std::uint32_t>& sort(const std::vector<Vec4>& position, double skin,
                                          const std::array<double, 3>& period);
 
-  /// Calls visit(j, image) for each j > i with |x_j − x_i| < r_i + r_j + skin, j ascending. `place` is in sorted order.
+  /// Calls visit(j, image) for each j > i with |x_j − x_i| < r_i + r_j + skin, j ascending. `position` is in sorted
+  /// order.
   template <class Visit>
-  void for_pairs(const std::vector<Row>& place, std::uint32_t i, Visit visit) const {
+  void for_pairs(const std::vector<Vec4>& position, std::uint32_t i, Visit visit) const {
     const std::uint32_t cell = cell_of_[i];
     const std::array<int, 3> c{static_cast<int>(cell) % cells_[0], static_cast<int>(cell) / cells_[0] % cells_[1],
                                static_cast<int>(cell) / (cells_[0] * cells_[1])};
     for (std::size_t a = 0; a < 3; ++a)
-      if (period_[a] > 0.0 && (c[a] == 0 || c[a] == cells_[a] - 1)) return for_pairs_at_face(place, i, c, visit);
-    const Row own = place[i];
+      if (period_[a] > 0.0 && (c[a] == 0 || c[a] == cells_[a] - 1)) return for_pairs_at_face(position, i, c, visit);
+    const Vec4 own = position[i];
     const double own_reach = own.w + skin_;
     const auto search = [&](std::uint32_t from, std::uint32_t to) {
       for (std::uint32_t j = from; j < to; ++j) {
-        const double dx = place[j].x - own.x, dy = place[j].y - own.y, dz = place[j].z - own.z;
-        const double reach = own_reach + place[j].w;
+        const double dx = position[j].x - own.x, dy = position[j].y - own.y, dz = position[j].z - own.z;
+        const double reach = own_reach + position[j].w;
         if (dx * dx + dy * dy + dz * dz < reach * reach) visit(j, own_image);
       }
     };
@@ -60,7 +61,7 @@ class CellSearch {
 
   /// In a cell at a periodic face: all cells around, the nearest image of each sphere.
   template <class Visit>
-  void for_pairs_at_face(const std::vector<Row>& place, std::uint32_t i, const std::array<int, 3>& c,
+  void for_pairs_at_face(const std::vector<Vec4>& position, std::uint32_t i, const std::array<int, 3>& c,
                          Visit visit) const {
     std::array<std::array<int, 3>, 3> around{};
     std::array<std::size_t, 3> count{};
@@ -70,7 +71,7 @@ class CellSearch {
         if (period_[a] > 0.0 && cells_[a] > 1) k = (k + cells_[a]) % cells_[a];
         if (k >= 0 && k < cells_[a]) around[a][count[a]++] = k;
       }
-    const Row own = place[i];
+    const Vec4 own = position[i];
     thread_local std::vector<Found> found;
     found.clear();
     for (std::size_t z = 0; z < count[2]; ++z)
@@ -78,7 +79,7 @@ class CellSearch {
         for (std::size_t x = 0; x < count[0]; ++x) {
           const std::uint32_t cell = cell_index(around[0][x], around[1][y], around[2][z]);
           for (std::uint32_t j = std::max(cell_start_[cell], i + 1); j < cell_start_[cell + 1]; ++j) {
-            std::array<double, 3> d{place[j].x - own.x, place[j].y - own.y, place[j].z - own.z};
+            std::array<double, 3> d{position[j].x - own.x, position[j].y - own.y, position[j].z - own.z};
             int image = own_image, weight = 1;
             for (std::size_t a = 0; a < 3; ++a, weight *= 3) {
               if (!(period_[a] > 0.0)) continue;
@@ -86,7 +87,7 @@ class CellSearch {
               d[a] += periods * period_[a];
               image += weight * static_cast<int>(periods);
             }
-            const double reach = own.w + place[j].w + skin_;
+            const double reach = own.w + position[j].w + skin_;
             if (d[0] * d[0] + d[1] * d[1] + d[2] * d[2] < reach * reach)
               found.push_back({j, static_cast<std::uint8_t>(image)});
           }

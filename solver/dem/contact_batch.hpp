@@ -6,12 +6,12 @@
 
 #include "solver/dem/coulomb_friction.hpp"
 #include "solver/dem/rolling_resistance.hpp"
-#include "solver/dem/vec3.hpp"
+#include "solver/support/vec3.hpp"
 
 namespace slfb::dem {
 
-/// Some touching pairs, one array per quantity: filled from rows four at a time, computed as many at once as a vector
-/// register holds, and read back as rows. Small enough for the first cache.
+/// Some touching pairs, one array per quantity: filled from four Vec4 at a time, computed as many at once as a vector
+/// register holds, and read back as Vec4. Small enough for the first cache.
 struct ContactBatch {
   static constexpr std::size_t capacity = 96;
   using Scalars = std::array<double, capacity>;
@@ -22,7 +22,7 @@ struct ContactBatch {
     [[nodiscard]] Vec3 at(std::size_t k) const { return {x[k], y[k], z[k]}; }
     void set(std::size_t k, Vec3 v) { x[k] = v.x, y[k] = v.y, z[k] = v.z; }
 
-    /// Rows k to k + 3, in and out; k is a multiple of four.
+    /// Contacts k to k + 3, in and out; k is a multiple of four.
     void put(std::size_t k, Pack a, Pack b, Pack c, Pack d) {
       transpose(a, b, c, d);
       store(&x[k], a);
@@ -30,22 +30,32 @@ struct ContactBatch {
       store(&z[k], c);
       store(&w[k], d);
     }
-    void get(std::size_t k, std::array<Pack, 4>& rows) const {
-      rows = {load(&x[k]), load(&y[k]), load(&z[k]), load(&w[k])};
-      transpose(rows[0], rows[1], rows[2], rows[3]);
+    void get(std::size_t k, std::array<Pack, 4>& contacts) const {
+      contacts = {load(&x[k]), load(&y[k]), load(&z[k]), load(&w[k])};
+      transpose(contacts[0], contacts[1], contacts[2], contacts[3]);
     }
   };
 
-  // Input; j is the second sphere, or the foot point on a wall: a sphere at rest without radius.
-  Vectors place_i, place_j;   ///< centre [m]; w: radius [m]
-  Vectors relative_velocity;  ///< v_i − v_j of the centres [m/s]
-  Vectors spin_i, spin_j;     ///< [rad/s]; w: 1/I [1/(kg m²)], 0 of a wall
+  // Input; j is the second sphere, or the nearest point of a wall: a sphere at rest without radius.
+  Vectors position_i, position_j;                  ///< centre [m]
+  Vectors relative_velocity;                       ///< v_i − v_j of the centres [m/s]
+  Vectors angular_velocity_i, angular_velocity_j;  ///< [rad/s]
   // Carried from step to step.
-  Vectors spring;          ///< [m]; w: √m_eff [kg^½]
+  Vectors spring;          ///< tangential [m]
   Vectors rolling_memory;  ///< [N m]
   // Output.
-  Vectors force;               ///< on i [N]; w: normal force, compressive positive [N]
-  Vectors torque_i, torque_j;  ///< [N m]; w: overlap [m], normal approach speed [m/s]
+  Vectors force;               ///< on i [N]
+  Vectors torque_i, torque_j;  ///< [N m]
+
+  // The fourth numbers of these vectors.
+  double& radius_i(std::size_t k) { return position_i.w[k]; }                   ///< [m]
+  double& radius_j(std::size_t k) { return position_j.w[k]; }                   ///< [m]
+  double& inverse_inertia_i(std::size_t k) { return angular_velocity_i.w[k]; }  ///< [1/(kg m²)]
+  double& inverse_inertia_j(std::size_t k) { return angular_velocity_j.w[k]; }  ///< 0 of a wall [1/(kg m²)]
+  double& root_effective_mass(std::size_t k) { return spring.w[k]; }            ///< √m_eff [kg^½]
+  double& normal_force(std::size_t k) { return force.w[k]; }                    ///< compressive positive [N]
+  double& overlap(std::size_t k) { return torque_i.w[k]; }                      ///< [m]
+  double& approach_speed(std::size_t k) { return torque_j.w[k]; }               ///< along the normal [m/s]
 };
 
 /// Forces and torques of the first `count` contacts, a multiple of four. `AtWall`: j is a wall.
@@ -61,26 +71,34 @@ void compute_contacts(ContactBatch& b, std::size_t count, const Law& law, const 
 #pragma GCC ivdep
 #endif
   for (std::size_t k = 0; k < count; ++k) {
-    const Vec3 d = b.place_j.at(k) - b.place_i.at(k);
-    const double ri = b.place_i.w[k], rj = b.place_j.w[k];
+    const Vec3 d = b.position_j.at(k) - b.position_i.at(k);
+    const double ri = b.radius_i(k), rj = b.radius_j(k);
     const double distance = std::sqrt(dot(d, d));
     const Vec3 normal = (1.0 / distance) * d;
     const double overlap = ri + rj - distance;
     const double arm_i = AtWall ? distance : ri - 0.5 * overlap, arm_j = AtWall ? 0.0 : rj - 0.5 * overlap;
-    const Vec3 spin_i = b.spin_i.at(k), spin_j = b.spin_j.at(k);
-    const Vec3 velocity = b.relative_velocity.at(k) + cross(arm_i * spin_i + arm_j * spin_j, normal);
+    const Vec3 angular_velocity_i = b.angular_velocity_i.at(k), angular_velocity_j = b.angular_velocity_j.at(k);
+    const Vec3 velocity =
+        b.relative_velocity.at(k) + cross(arm_i * angular_velocity_i + arm_j * angular_velocity_j, normal);
     const double approach = dot(velocity, normal);
     const double effective_radius = AtWall ? ri : ri * rj / (ri + rj);
-    const NormalContact contact = law(overlap, approach, b.spring.w[k], effective_radius);
+    const NormalContact contact = law(overlap, approach, b.root_effective_mass(k), effective_radius);
     Vec3 spring = b.spring.at(k);
     const Vec3 tangential = friction(contact, normal, velocity - approach * normal, time_step, spring);
     b.spring.set(k, spring);
     const Vec3 lever = cross(normal, tangential);
     Vec3 torque_i = arm_i * lever, torque_j = arm_j * lever;
     if constexpr (!std::is_same_v<Rolling, NoRollingResistance>) {
-      const RollingContact rolling_contact{
-          contact.force, contact.stiffness, ri,    rj, effective_radius, spin_i, spin_j,
-          b.spin_i.w[k], b.spin_j.w[k],     normal};
+      const RollingContact rolling_contact{contact.force,
+                                           contact.stiffness,
+                                           ri,
+                                           rj,
+                                           effective_radius,
+                                           angular_velocity_i,
+                                           angular_velocity_j,
+                                           b.inverse_inertia_i(k),
+                                           b.inverse_inertia_j(k),
+                                           normal};
       Vec3 memory = b.rolling_memory.at(k);
       const RollingTorque torque = rolling(rolling_contact, time_step, memory);
       if constexpr (Rolling::has_memory) b.rolling_memory.set(k, memory);
@@ -90,9 +108,9 @@ void compute_contacts(ContactBatch& b, std::size_t count, const Law& law, const 
     b.torque_i.set(k, torque_i);
     b.torque_j.set(k, torque_j);
     b.force.set(k, tangential - contact.force * normal);
-    b.force.w[k] = contact.force;
-    b.torque_i.w[k] = overlap;
-    b.torque_j.w[k] = approach;
+    b.normal_force(k) = contact.force;
+    b.overlap(k) = overlap;
+    b.approach_speed(k) = approach;
   }
 }
 

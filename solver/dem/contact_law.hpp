@@ -30,7 +30,7 @@ struct ContactLawKernels {
 };
 
 /// Which of ContactLawKernels::compute a scene needs.
-inline std::size_t rolling_place(const Contact& contact) {
+inline std::size_t rolling_index(const Contact& contact) {
   if (contact.rolling_friction == 0.0) return 0;
   return contact.rolling_model == RollingModel::constant_torque ? 1 : 2;
 }

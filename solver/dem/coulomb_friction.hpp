@@ -3,7 +3,7 @@
 #include <limits>
 
 #include "solver/dem/linear_spring_dashpot.hpp"
-#include "solver/dem/vec3.hpp"
+#include "solver/support/vec3.hpp"
 
 namespace slfb::dem {
 

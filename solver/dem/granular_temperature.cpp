@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "solver/dem/vec3.hpp"
+#include "solver/support/vec3.hpp"
 
 namespace slfb::dem {
 

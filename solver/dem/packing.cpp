@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "solver/laws/scene_file.hpp"
+#include "solver/scene/scene_problems.hpp"
 
 namespace slfb::dem {
 namespace {

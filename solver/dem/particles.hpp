@@ -5,6 +5,8 @@
 #include <numbers>
 #include <vector>
 
+#include "solver/support/vec3.hpp"
+
 namespace slfb::dem {
 
 /// Three components stored apart, so that loops over particles run over contiguous memory.
@@ -24,6 +26,8 @@ struct VectorField {
     for (auto* component : {&x, &y, &z}) component->erase(component->begin() + static_cast<std::ptrdiff_t>(i));
   }
   [[nodiscard]] std::array<double, 3> at(std::size_t i) const { return {x[i], y[i], z[i]}; }
+  [[nodiscard]] Vec3 vector(std::size_t i) const { return {x[i], y[i], z[i]}; }
+  void set(std::size_t i, Vec3 value) { x[i] = value.x, y[i] = value.y, z[i] = value.z; }
 };
 
 /// State and properties of all spheres, structure of arrays, SI units.

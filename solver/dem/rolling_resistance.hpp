@@ -2,16 +2,16 @@
 
 #include <limits>
 
-#include "solver/dem/vec3.hpp"
 #include "solver/scene/scene.hpp"
+#include "solver/support/vec3.hpp"
 
 namespace slfb::dem {
 
-/// What rolling resistance needs to know of a touching pair; a wall is a body j without radius or spin.
+/// What rolling resistance needs to know of a touching pair; a wall is a body j that has no radius and does not turn.
 struct RollingContact {
   double normal_force, normal_stiffness;        ///< [N], [N/m]
   double radius_i, radius_j, effective_radius;  ///< effective: r_i r_j/(r_i + r_j), at a wall r_i [m]
-  Vec3 spin_i, spin_j;                          ///< [rad/s]
+  Vec3 angular_velocity_i, angular_velocity_j;  ///< [rad/s]
   double inverse_inertia_i, inverse_inertia_j;  ///< of the spheres about their centres, 0 for a wall [1/(kg m²)]
   Vec3 normal;                                  ///< from i to j
 };
@@ -42,7 +42,8 @@ class ConstantRollingTorque {
 
   [[gnu::always_inline]] RollingTorque operator()(const RollingContact& c, double time_step, Vec3& /*memory*/) const {
     const double inverse_sum = 1.0 / (c.radius_i + c.radius_j);
-    const Vec3 rotation = (inverse_sum * c.radius_i) * c.spin_i - (inverse_sum * c.radius_j) * c.spin_j;
+    const Vec3 rotation =
+        (inverse_sum * c.radius_i) * c.angular_velocity_i - (inverse_sum * c.radius_j) * c.angular_velocity_j;
     const double speed = std::sqrt(dot(rotation, rotation)) + std::numeric_limits<double>::min();
     const double size = friction_ * (c.normal_force < 0.0 ? -c.normal_force : c.normal_force);
     const double stop = speed / time_step;
@@ -78,7 +79,7 @@ class ElasticPlasticRolling {
   [[gnu::always_inline]] RollingTorque operator()(const RollingContact& c, double time_step, Vec3& memory) const {
     const double arm = friction_ * c.effective_radius;
     const double stiffness = 2.25 * c.normal_stiffness * arm * arm;
-    const Vec3 relative = c.spin_i - c.spin_j;
+    const Vec3 relative = c.angular_velocity_i - c.angular_velocity_j;
     const Vec3 rolling = relative - dot(relative, c.normal) * c.normal;
     const Vec3 turned = memory - dot(memory, c.normal) * c.normal;
     const Vec3 step = (-time_step * stiffness) * rolling;

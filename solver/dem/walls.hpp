@@ -3,8 +3,8 @@
 #include <cmath>
 #include <vector>
 
-#include "solver/dem/vec3.hpp"
 #include "solver/scene/scene.hpp"
+#include "solver/support/vec3.hpp"
 
 namespace slfb::dem {
 
