@@ -25,8 +25,6 @@
 namespace slfb::compare {
 namespace {
 
-using dem::Vec3;
-
 constexpr double usual_speed = 0.1;  ///< of the spheres of a bed, about [m/s]
 constexpr double grazing_angle = 80.0;
 

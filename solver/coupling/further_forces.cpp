@@ -9,7 +9,7 @@
 namespace slfb::coupling {
 namespace {
 
-dem::Vec3 at(const dem::VectorField& field, std::size_t i) { return {field.x[i], field.y[i], field.z[i]}; }
+Vec3 at(const dem::VectorField& field, std::size_t i) { return {field.x[i], field.y[i], field.z[i]}; }
 
 }  // namespace
 
@@ -56,7 +56,7 @@ void FurtherForces::remove(std::size_t i) {
 FurtherForces::Effect FurtherForces::effect(const dem::Particles& particles, std::size_t i,
                                             const Surroundings& surroundings) const {
   const double diameter = 2.0 * particles.radius[i];
-  const dem::Vec3 sphere = sphere_now_[i], slip = surroundings.velocity - sphere;
+  const Vec3 sphere = sphere_now_[i], slip = surroundings.velocity - sphere;
   Effect effect;
   if (coupling_.saffman_lift) effect.force = effect.force + mei_lift(slip, surroundings.vorticity(), diameter, liquid_);
   if (coupling_.magnus_lift)
@@ -72,35 +72,32 @@ FurtherForces::Effect FurtherForces::effect(const dem::Particles& particles, std
   if (coupling_.added_mass > 0.0) {
     const AddedMass added{coupling_.added_mass, liquid_.density, particles.volume(i)};
     // Along the liquid's own way: what changed along the sphere's, and the slip's convection.
-    const dem::Vec3 convection{dot(slip, surroundings.gradient[0]), dot(slip, surroundings.gradient[1]),
-                               dot(slip, surroundings.gradient[2])};
-    const dem::Vec3 force =
-        added.force_of_liquid((1.0 / time_step_) * (liquid_now_[i] - liquid_before_[i]) + convection);
+    const Vec3 convection{dot(slip, surroundings.gradient[0]), dot(slip, surroundings.gradient[1]),
+                          dot(slip, surroundings.gradient[2])};
+    const Vec3 force = added.force_of_liquid((1.0 / time_step_) * (liquid_now_[i] - liquid_before_[i]) + convection);
     effect.force = effect.force + force;
     effect.reaction = effect.reaction - force + (added.inertia() / time_step_) * (sphere - sphere_before_[i]);
   }
   return effect;
 }
 
-dem::Vec3 FurtherForces::turned(const dem::Particles& particles, std::size_t i,
-                                const Surroundings& surroundings) const {
-  const dem::Vec3 rotation = relative_rotation(surroundings.vorticity(), at(particles.angular_velocity, i));
+Vec3 FurtherForces::turned(const dem::Particles& particles, std::size_t i, const Surroundings& surroundings) const {
+  const Vec3 rotation = relative_rotation(surroundings.vorticity(), at(particles.angular_velocity, i));
   const double turning = norm(rotation);
   if (!coupling_.magnus_lift || turning == 0.0) return {};
-  const dem::Vec3 torque = viscous_torque(rotation, 2.0 * particles.radius[i], liquid_);
+  const Vec3 torque = viscous_torque(rotation, 2.0 * particles.radius[i], liquid_);
   return (time_step_ / (particles.inertia(i) + time_step_ * norm(torque) / turning)) * torque;
 }
 
-void FurtherForces::disturb(std::size_t i, dem::Vec3 force_on_liquid, double concentration, double voidage,
-                            double slip) {
+void FurtherForces::disturb(std::size_t i, Vec3 force_on_liquid, double concentration, double voidage, double slip) {
   self_induced_[i] = disturbance_.advance(self_induced_[i], force_on_liquid, concentration, voidage, slip, time_step_);
 }
 
 NamedFields FurtherForces::state() const {
   NamedFields state;
-  const auto write = [&](const std::string& name, const std::vector<dem::Vec3>& vectors) {
+  const auto write = [&](const std::string& name, const std::vector<Vec3>& vectors) {
     auto &x = state[name + "_x"], &y = state[name + "_y"], &z = state[name + "_z"];
-    for (const dem::Vec3& v : vectors) x.push_back(v.x), y.push_back(v.y), z.push_back(v.z);
+    for (const Vec3& v : vectors) x.push_back(v.x), y.push_back(v.y), z.push_back(v.z);
   };
   write("self_induced", self_induced_);
   write("liquid_velocity", liquid_now_);
@@ -114,7 +111,7 @@ NamedFields FurtherForces::state() const {
 }
 
 void FurtherForces::restore(const NamedFields& state) {
-  const auto read = [&](const std::string& name, std::vector<dem::Vec3>& vectors) {
+  const auto read = [&](const std::string& name, std::vector<Vec3>& vectors) {
     const auto &x = field_of(state, name + "_x"), &y = field_of(state, name + "_y"), &z = field_of(state, name + "_z");
     vectors.clear();
     for (std::size_t i = 0; i < x.size(); ++i) vectors.push_back({x[i], y.at(i), z.at(i)});

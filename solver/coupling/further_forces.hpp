@@ -8,9 +8,9 @@
 #include "solver/coupling/forces/basset_history.hpp"
 #include "solver/coupling/forces/disturbance_correction.hpp"
 #include "solver/dem/particles.hpp"
-#include "solver/dem/vec3.hpp"
 #include "solver/scene/scene.hpp"
 #include "solver/support/named_fields.hpp"
+#include "solver/support/vec3.hpp"
 
 namespace slfb::coupling {
 
@@ -39,25 +39,25 @@ class FurtherForces {
 
   /// What the liquid is at one sphere.
   struct Surroundings {
-    dem::Vec3 velocity;                   ///< [m/s]
-    std::array<dem::Vec3, 3> gradient{};  ///< ∇u_a per component [1/s]
-    [[nodiscard]] dem::Vec3 vorticity() const {
+    Vec3 velocity;                   ///< [m/s]
+    std::array<Vec3, 3> gradient{};  ///< ∇u_a per component [1/s]
+    [[nodiscard]] Vec3 vorticity() const {
       return {gradient[2].y - gradient[1].z, gradient[0].z - gradient[2].x, gradient[1].x - gradient[0].y};
     }
   };
   struct Effect {
-    dem::Vec3 force;           ///< on the sphere over the coming step [N]
-    dem::Vec3 reaction;        ///< on the liquid over the coming step [N]
+    Vec3 force;                ///< on the sphere over the coming step [N]
+    Vec3 reaction;             ///< on the liquid over the coming step [N]
     double coefficient = 0.0;  ///< of the part that is linear in the slip, beside the drag's K [kg/s]
   };
   [[nodiscard]] Effect effect(const dem::Particles& particles, std::size_t i, const Surroundings& liquid) const;
   /// Change of the spin over the coming step by the liquid's torque, implicit in the spin [rad/s].
-  [[nodiscard]] dem::Vec3 turned(const dem::Particles& particles, std::size_t i, const Surroundings& liquid) const;
+  [[nodiscard]] Vec3 turned(const dem::Particles& particles, std::size_t i, const Surroundings& liquid) const;
 
   /// Velocity that the sphere's own force has given to the liquid it reads [m/s].
-  [[nodiscard]] dem::Vec3 self_induced(std::size_t i) const { return self_induced_[i]; }
+  [[nodiscard]] Vec3 self_induced(std::size_t i) const { return self_induced_[i]; }
   /// After the step: the force of sphere i on the liquid acts on what it will read.
-  void disturb(std::size_t i, dem::Vec3 force_on_liquid, double concentration, double voidage, double slip);
+  void disturb(std::size_t i, Vec3 force_on_liquid, double concentration, double voidage, double slip);
 
   /// All that the next step depends on, for checkpoints: self_induced_x and so on, liquid_velocity_x, sphere_velocity_x
   /// per sphere [m/s]; basset_history and basset_newest where that force is on.
@@ -72,9 +72,9 @@ class FurtherForces {
   bool any_;
   SelfInducedVelocity disturbance_;
   std::optional<BassetHistory> history_;
-  std::vector<dem::Vec3> self_induced_;
-  std::vector<dem::Vec3> liquid_before_, sphere_before_;  ///< velocities at the start of the last step [m/s]
-  std::vector<dem::Vec3> liquid_now_, sphere_now_;        ///< and at its end
+  std::vector<Vec3> self_induced_;
+  std::vector<Vec3> liquid_before_, sphere_before_;  ///< velocities at the start of the last step [m/s]
+  std::vector<Vec3> liquid_now_, sphere_now_;        ///< and at its end
 };
 
 }  // namespace slfb::coupling

@@ -207,7 +207,7 @@ void PhaseCoupling::read_at_spheres(const dem::Engine& engine, double time_step)
         }
       }
       if (corrects_disturbance_) {
-        const dem::Vec3 own = further_.self_induced(i);
+        const Vec3 own = further_.self_induced(i);
         const std::array<double, 3> induced{own.x, own.y, own.z};
         for (std::size_t a = 0; a < 3; ++a) {
           u[a] -= induced[a];
@@ -397,8 +397,7 @@ void PhaseCoupling::apply_further_forces(dem::Engine& engine) {
   further_.start_step(particles, liquid_velocity_);
   for (std::size_t i = 0; i < n; ++i) {
     FurtherForces::Surroundings around{
-        dem::Vec3{liquid_velocity_[0][i], liquid_velocity_[1][i], liquid_velocity_[2][i]} - further_.self_induced(i),
-        {}};
+        Vec3{liquid_velocity_[0][i], liquid_velocity_[1][i], liquid_velocity_[2][i]} - further_.self_induced(i), {}};
     if (further_.need_gradients()) {
       const auto gradient = point_values_.gradient(particles.position.at(i), cells_);
       for (std::size_t a = 0; a < 3; ++a)
@@ -409,7 +408,7 @@ void PhaseCoupling::apply_further_forces(dem::Engine& engine) {
     further_reaction_[0][i] = effect.reaction.x, further_reaction_[1][i] = effect.reaction.y;
     further_reaction_[2][i] = effect.reaction.z;
     further_coefficient_[i] = effect.coefficient;
-    const dem::Vec3 turned = further_.turned(particles, i, around);
+    const Vec3 turned = further_.turned(particles, i, around);
     particles.angular_velocity.x[i] += turned.x;
     particles.angular_velocity.y[i] += turned.y;
     particles.angular_velocity.z[i] += turned.z;

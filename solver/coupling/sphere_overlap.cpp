@@ -7,13 +7,11 @@
 
 #if defined(__AVX2__) && defined(__GLIBC__)
 /// Of glibc's vector library: atan2 of four pairs, to 4 units in the last place.
-extern "C" slfb::dem::Pack _ZGVdN4vv_atan2(slfb::dem::Pack y, slfb::dem::Pack x);
+extern "C" slfb::Pack _ZGVdN4vv_atan2(slfb::Pack y, slfb::Pack x);
 #endif
 
 namespace slfb::coupling {
 namespace {
-
-using dem::Pack;
 
 // Volumes are fractions of the ball. Number: double, or Pack for four balls at once.
 constexpr double inverse_ball = 3.0 / (4.0 * std::numbers::pi);

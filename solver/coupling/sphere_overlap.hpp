@@ -2,7 +2,7 @@
 
 #include <array>
 
-#include "solver/dem/vec3.hpp"
+#include "solver/support/vec3.hpp"
 
 namespace slfb::coupling {
 
@@ -33,6 +33,6 @@ void unit_ball_parts(const PlaneRow& x, const PlaneRow& y, const PlaneRow& z, do
 
 /// The same for four balls at once, each cut by at most one plane per axis, at the given distance from its centre; a
 /// distance of 1 or more cuts nothing off. Each ball has its eight parts in one lane.
-void unit_ball_octants(const std::array<dem::Pack, 3>& planes, std::array<dem::Pack, 8>& parts);
+void unit_ball_octants(const std::array<Pack, 3>& planes, std::array<Pack, 8>& parts);
 
 }  // namespace slfb::coupling

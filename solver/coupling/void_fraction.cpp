@@ -14,9 +14,9 @@ using Whole = int __attribute__((vector_size(16)));       ///< one per ball
 using Mask = long long __attribute__((vector_size(32)));  ///< what comparing packs gives
 
 /// Whole numbers not above four numbers.
-Whole floor_of(dem::Pack x) {
+Whole floor_of(Pack x) {
   const Whole towards_zero = __builtin_convertvector(x, Whole);
-  return towards_zero + __builtin_convertvector(x < __builtin_convertvector(towards_zero, dem::Pack), Whole);
+  return towards_zero + __builtin_convertvector(x < __builtin_convertvector(towards_zero, Pack), Whole);
 }
 
 }  // namespace
@@ -139,12 +139,12 @@ void VolumeShares::cut_one_sphere(const Block& block, const std::array<double, 3
 int VolumeShares::cut_four_spheres(const dem::VectorField& centres, const std::vector<double>& radius,
                                    std::size_t first) {
   const std::array<const double*, 3> centre{&centres.x[first], &centres.y[first], &centres.z[first]};
-  const dem::Pack r = dem::load(&radius[first]), per_radius = 1.0 / r, beyond = dem::Pack{} + 1.0;
+  const Pack r = load(&radius[first]), per_radius = 1.0 / r, beyond = Pack{} + 1.0;
   std::array<Whole, 3> lowest, further;  // cells that the spheres begin in; 1 where they reach into the next
-  std::array<dem::Pack, 3> planes;
+  std::array<Pack, 3> planes;
   for (std::size_t a = 0; a < 3; ++a) {
     const Axis& axis = axis_[a];
-    const dem::Pack x = dem::load(centre[a]);
+    const Pack x = load(centre[a]);
     Whole low = floor_of((x - r - axis.origin) * axis.per_length),
           high = floor_of((x + r - axis.origin) * axis.per_length);
     if (!axis.wraps) {  // as in block_around
@@ -155,12 +155,12 @@ int VolumeShares::cut_four_spheres(const dem::VectorField& centres, const std::v
     lowest[a] = low;
     further[a] = high - low;
     const auto cut = __builtin_convertvector(high > low, Mask);
-    const dem::Pack plane = axis.origin + __builtin_convertvector(low + 1, dem::Pack) * axis.width;
+    const Pack plane = axis.origin + __builtin_convertvector(low + 1, Pack) * axis.width;
     planes[a] = cut ? (plane - x) * per_radius : beyond;
     const Whole many = further[a] > 1;
     if (many[0] | many[1] | many[2] | many[3]) return 0;
   }
-  std::array<dem::Pack, 8> octants;
+  std::array<Pack, 8> octants;
   unit_ball_octants(planes, octants);
   int top = 0;
   for (int lane = 0; lane < 4; ++lane) {

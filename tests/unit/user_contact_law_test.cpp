@@ -108,14 +108,13 @@ TEST_F(UserContactLaw, TheEngineCannotTellItFromTheSuitesLaw) {
 }
 
 TEST_F(UserContactLaw, ItsOwnFrictionTakesThePlaceOfCoulombs) {
-  const std::string smooth =
-      file("smooth.cpp", wrapped("LinearSpringDashpot", "linear_spring_dashpot.hpp",
-                                 "  struct Friction {\n"
-                                 "    double friction, phase;\n"
-                                 "    slfb::dem::Vec3 operator()(const slfb::dem::NormalContact&, "
-                                 "slfb::dem::Vec3, slfb::dem::Vec3, double, slfb::dem::Vec3&) "
-                                 "const { return {}; }\n"
-                                 "  };\n"));
+  const std::string smooth = file("smooth.cpp", wrapped("LinearSpringDashpot", "linear_spring_dashpot.hpp",
+                                                        "  struct Friction {\n"
+                                                        "    double friction, phase;\n"
+                                                        "    slfb::Vec3 operator()(const slfb::dem::NormalContact&, "
+                                                        "slfb::Vec3, slfb::Vec3, double, slfb::Vec3&) "
+                                                        "const { return {}; }\n"
+                                                        "  };\n"));
   Contact contact = contact_of("linear");
   contact.sliding_friction = 0.0;
   const std::vector<double> expected = tumble(contact);

@@ -196,7 +196,7 @@ TEST(SaffmanLiftInTheBed, PointsToTheFasterLiquidForASphereThatLags) {
       const Point force = lift_of(sheared_box(), stream, {0.001, 0.001, 0.021},
                                   {0.0, 0.0, shear * 0.001 * (c + s) - lag}, {0, 0, 0}, true);
       const LiquidProperties water{998.2, 1e-3};
-      const double size = dem::norm(coupling::mei_lift({0, 0, lag}, {0, shear, 0}, 0.001, water));
+      const double size = norm(coupling::mei_lift({0, 0, lag}, {0, shear, 0}, 0.001, water));
       const double sign = lag > 0.0 ? 1.0 : -1.0;
       EXPECT_NEAR(force[0], sign * c * size, 0.02 * size) << angle << ", " << lag;
       EXPECT_NEAR(force[1], sign * s * size, 0.02 * size) << angle << ", " << lag;
@@ -217,7 +217,7 @@ TEST(SaffmanLiftInTheBed, ActsAlongZInAHorizontalShear) {
       Point velocity{};
       velocity[axis] = shear * height - lag;
       const Point force = lift_of(scene, stream, {0.001, 0.001, height}, velocity, {0, 0, 0}, true);
-      const double size = dem::norm(coupling::mei_lift({0, 0, lag}, {0, shear, 0}, 0.001, {998.2, 1e-3}));
+      const double size = norm(coupling::mei_lift({0, 0, lag}, {0, shear, 0}, 0.001, {998.2, 1e-3}));
       EXPECT_NEAR(force[2], lag > 0.0 ? size : -size, 0.02 * size) << axis << ", " << lag;
       EXPECT_NEAR(force[0], 0.0, 0.02 * size);
       EXPECT_NEAR(force[1], 0.0, 0.02 * size);
@@ -232,8 +232,8 @@ TEST(MagnusLiftInTheBed, PushesAlongSpinCrossVelocity) {
                                        {Point{0, 50, 0}, Point{0, 0, -0.03}},
                                        {Point{20, -30, 25}, Point{0.02, 0.01, -0.02}}}) {
     const Point force = lift_of(scene, {nothing, nothing, nothing}, {0, 0, 0.05}, velocity, spin, false);
-    const dem::Vec3 way = dem::cross({spin[0], spin[1], spin[2]}, {velocity[0], velocity[1], velocity[2]});
-    const double size = std::hypot(force[0], force[1], force[2]), along = dem::norm(way);
+    const Vec3 way = cross({spin[0], spin[1], spin[2]}, {velocity[0], velocity[1], velocity[2]});
+    const double size = std::hypot(force[0], force[1], force[2]), along = norm(way);
     ASSERT_GT(size, 0.0);
     EXPECT_NEAR(force[0] / size, way.x / along, 1e-3);
     EXPECT_NEAR(force[1] / size, way.y / along, 1e-3);

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "solver/dem/vec3.hpp"
+#include "solver/support/vec3.hpp"
 
 namespace slfb::coupling {
 
@@ -19,7 +19,7 @@ struct AddedMass {
   /// C_m ρ V [kg].
   [[nodiscard]] constexpr double inertia() const { return coefficient * liquid_density * volume; }
   /// C_m ρ V Du/Dt [N]. \param acceleration Du/Dt [m/s²]
-  [[nodiscard]] dem::Vec3 force_of_liquid(dem::Vec3 acceleration) const { return inertia() * acceleration; }
+  [[nodiscard]] Vec3 force_of_liquid(Vec3 acceleration) const { return inertia() * acceleration; }
 };
 
 }  // namespace slfb::coupling

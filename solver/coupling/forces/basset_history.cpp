@@ -59,7 +59,7 @@ double BassetHistory::tail_kernel(double age) const {
   return sum;
 }
 
-void BassetHistory::add(dem::Vec3 slip) {
+void BassetHistory::add(Vec3 slip) {
   const std::size_t begin = state_.size();
   state_.resize(begin + stride_, 0.0);
   const std::array<double, 3> components{slip.x, slip.y, slip.z};
@@ -81,7 +81,7 @@ void BassetHistory::restore(State state) {
   newest_ = state.newest;
 }
 
-dem::Vec3 BassetHistory::memory(std::size_t i) const {
+Vec3 BassetHistory::memory(std::size_t i) const {
   const double* const sphere = &state_[i * stride_];
   const double age = (sphere[3 * axis_stride()] + 1.0) * time_step_;
   // The ring turns backwards: the oldest change, which the step under way will push out, stands at newest_, and the one
@@ -101,7 +101,7 @@ dem::Vec3 BassetHistory::memory(std::size_t i) const {
   return {sum[0], sum[1], sum[2]};
 }
 
-void BassetHistory::advance(std::size_t i, dem::Vec3 slip) {
+void BassetHistory::advance(std::size_t i, Vec3 slip) {
   double* const sphere = &state_[i * stride_];
   const std::array<double, 3> components{slip.x, slip.y, slip.z};
   for (std::size_t a = 0; a < 3; ++a) {

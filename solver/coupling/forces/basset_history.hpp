@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "correlations/materials.hpp"
-#include "solver/dem/vec3.hpp"
+#include "solver/support/vec3.hpp"
 
 namespace slfb::coupling {
 
@@ -32,16 +32,16 @@ class BassetHistory {
   explicit BassetHistory(double time_step, std::size_t window = 16);
 
   /// Appends a sphere with slip w(0) [m/s] at this moment.
-  void add(dem::Vec3 slip);
+  void add(Vec3 slip);
   void remove(std::size_t i);
   [[nodiscard]] std::size_t size() const { return state_.size() / stride_; }
 
   /// What multiplies the newest slip, 2/√Δt [1/√s].
   [[nodiscard]] double weight() const { return weight_; }
   /// The rest of the bracket at the end of the step that is now under way [m/s^1.5].
-  [[nodiscard]] dem::Vec3 memory(std::size_t i) const;
+  [[nodiscard]] Vec3 memory(std::size_t i) const;
   /// Tells the slip of sphere i at the end of the step [m/s].
-  void advance(std::size_t i, dem::Vec3 slip);
+  void advance(std::size_t i, Vec3 slip);
   /// After advance() of all spheres.
   void end_step() { newest_ = newest_ == 0 ? window_ - 1 : newest_ - 1; }
 

@@ -44,8 +44,8 @@ double SelfInducedVelocity::mobility(double concentration, double voidage, doubl
          (voidage * liquid_.viscosity * length);
 }
 
-dem::Vec3 SelfInducedVelocity::advance(dem::Vec3 previous, dem::Vec3 force, double concentration, double voidage,
-                                       double slip, double time_step) const {
+Vec3 SelfInducedVelocity::advance(Vec3 previous, Vec3 force, double concentration, double voidage, double slip,
+                                  double time_step) const {
   const double steady = mobility(concentration, voidage, slip);
   const double beginning = inertial_response * concentration / (voidage * liquid_.density);
   const double left = std::exp(-time_step * beginning / steady);

@@ -3,7 +3,7 @@
 #include <span>
 
 #include "correlations/materials.hpp"
-#include "solver/dem/vec3.hpp"
+#include "solver/support/vec3.hpp"
 
 namespace slfb::coupling {
 
@@ -58,8 +58,8 @@ class SelfInducedVelocity {
 
   /// u_self at the end of a step [m/s]. \param previous at its beginning [m/s]
   /// \param force of the sphere on the liquid over the step [N]
-  [[nodiscard]] dem::Vec3 advance(dem::Vec3 previous, dem::Vec3 force, double concentration, double voidage,
-                                  double slip, double time_step) const;
+  [[nodiscard]] Vec3 advance(Vec3 previous, Vec3 force, double concentration, double voidage, double slip,
+                             double time_step) const;
 
  private:
   LiquidProperties liquid_;

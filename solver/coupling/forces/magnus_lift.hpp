@@ -4,22 +4,22 @@
 #include <numbers>
 
 #include "correlations/materials.hpp"
-#include "solver/dem/vec3.hpp"
+#include "solver/support/vec3.hpp"
 
 namespace slfb::coupling {
 
 /// Turning of the liquid against the sphere, ½ ω − Ω [rad/s].
 /// \param vorticity ω = ∇ × u of the undisturbed liquid [1/s]
 /// \param spin Ω of the sphere [rad/s]
-inline dem::Vec3 relative_rotation(dem::Vec3 vorticity, dem::Vec3 spin) { return 0.5 * vorticity - spin; }
+inline Vec3 relative_rotation(Vec3 vorticity, Vec3 spin) { return 0.5 * vorticity - spin; }
 
 /// Lift on a spinning sphere, Rubinow & Keller (1961), J. Fluid Mech. 11, 447: F = π/8 ρ d³ (½ ω − Ω) × w [N].
 ///
 /// Key: rubinow1961. Range: Re = ρ d w/μ ≪ 1; it grows with the spin without bound.
 /// \param rotation relative_rotation() [rad/s]
 /// \param slip w = u − v [m/s]
-inline dem::Vec3 rubinow_keller_lift(dem::Vec3 rotation, dem::Vec3 slip, double diameter, LiquidProperties liquid) {
-  return std::numbers::pi / 8.0 * liquid.density * diameter * diameter * diameter * dem::cross(rotation, slip);
+inline Vec3 rubinow_keller_lift(Vec3 rotation, Vec3 slip, double diameter, LiquidProperties liquid) {
+  return std::numbers::pi / 8.0 * liquid.density * diameter * diameter * diameter * cross(rotation, slip);
 }
 
 /// Lift on a spinning sphere at finite Reynolds number, Oesterlé & Bui Dinh (1998), Exp. Fluids 25, 16:
@@ -28,9 +28,9 @@ inline dem::Vec3 rubinow_keller_lift(dem::Vec3 rotation, dem::Vec3 slip, double 
 ///
 /// Key: oesterle1998. Range: 10 < Re < 140, 1 < d|Γ|/(2 w) < 6; for Re → 0 it becomes Rubinow and Keller's.
 /// Arguments of rubinow_keller_lift().
-inline dem::Vec3 oesterle_bui_dinh_lift(dem::Vec3 rotation, dem::Vec3 slip, double diameter, LiquidProperties liquid) {
-  const double reynolds = reynolds_number(liquid, diameter, dem::norm(slip));
-  const double turning_reynolds = reynolds_number(liquid, diameter, diameter * dem::norm(rotation));
+inline Vec3 oesterle_bui_dinh_lift(Vec3 rotation, Vec3 slip, double diameter, LiquidProperties liquid) {
+  const double reynolds = reynolds_number(liquid, diameter, norm(slip));
+  const double turning_reynolds = reynolds_number(liquid, diameter, diameter * norm(rotation));
   if (reynolds <= 0.0 || turning_reynolds <= 0.0) return {};
   const double ratio = turning_reynolds / reynolds;
   const double coefficient =
@@ -45,8 +45,8 @@ inline dem::Vec3 oesterle_bui_dinh_lift(dem::Vec3 rotation, dem::Vec3 slip, doub
 /// Key: dennis1980. Range: Re_r = ρ d² |Γ|/μ up to 4000, no slip of the centre. The pieces meet within 0.2 %.
 /// \param rotation Γ = relative_rotation() [rad/s]
 /// \return torque on the sphere [N m]
-inline dem::Vec3 viscous_torque(dem::Vec3 rotation, double diameter, LiquidProperties liquid) {
-  const double reynolds = reynolds_number(liquid, diameter, diameter * dem::norm(rotation));
+inline Vec3 viscous_torque(Vec3 rotation, double diameter, LiquidProperties liquid) {
+  const double reynolds = reynolds_number(liquid, diameter, diameter * norm(rotation));
   const double creeping = std::numbers::pi * liquid.viscosity * diameter * diameter * diameter;
   // C over that of creeping flow, 64 π/Re_r.
   const double ratio = reynolds > 32.0 ? (12.9 * std::sqrt(reynolds) + 128.4) / (64.0 * std::numbers::pi) : 1.0;

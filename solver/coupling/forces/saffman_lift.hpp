@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "correlations/materials.hpp"
-#include "solver/dem/vec3.hpp"
+#include "solver/support/vec3.hpp"
 
 namespace slfb::coupling {
 
@@ -14,11 +14,10 @@ namespace slfb::coupling {
 /// Key: saffman1965. Range: Re = ρ d w/μ ≪ √Re_ω ≪ 1 with Re_ω = ρ d² |ω|/μ, far from walls.
 /// \param slip w = u − v of undisturbed liquid against sphere [m/s]
 /// \param vorticity ω = ∇ × u of the undisturbed liquid [1/s]
-inline dem::Vec3 saffman_lift(dem::Vec3 slip, dem::Vec3 vorticity, double diameter, LiquidProperties liquid) {
-  const double shear = dem::norm(vorticity);
+inline Vec3 saffman_lift(Vec3 slip, Vec3 vorticity, double diameter, LiquidProperties liquid) {
+  const double shear = norm(vorticity);
   if (shear == 0.0) return {};
-  return 1.615 * diameter * diameter * std::sqrt(liquid.density * liquid.viscosity / shear) *
-         dem::cross(slip, vorticity);
+  return 1.615 * diameter * diameter * std::sqrt(liquid.density * liquid.viscosity / shear) * cross(slip, vorticity);
 }
 
 /// Lift at finite Reynolds number over Saffman's, Mei (1992), Int. J. Multiphase Flow 18, 145, after the simulations of
@@ -34,10 +33,10 @@ inline double mei_lift_ratio(double reynolds, double shear_reynolds) {
 }
 
 /// Saffman's lift times mei_lift_ratio() [N]; arguments of saffman_lift().
-inline dem::Vec3 mei_lift(dem::Vec3 slip, dem::Vec3 vorticity, double diameter, LiquidProperties liquid) {
-  const double reynolds = reynolds_number(liquid, diameter, dem::norm(slip));
+inline Vec3 mei_lift(Vec3 slip, Vec3 vorticity, double diameter, LiquidProperties liquid) {
+  const double reynolds = reynolds_number(liquid, diameter, norm(slip));
   if (reynolds <= 0.0) return {};
-  const double shear_reynolds = reynolds_number(liquid, diameter, diameter * dem::norm(vorticity));
+  const double shear_reynolds = reynolds_number(liquid, diameter, diameter * norm(vorticity));
   return mei_lift_ratio(reynolds, shear_reynolds) * saffman_lift(slip, vorticity, diameter, liquid);
 }
 

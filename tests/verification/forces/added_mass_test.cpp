@@ -18,8 +18,8 @@ TEST(AddedMass, ABubbleStartsWithTwiceGravity) {
 // (Batchelor 1967, § 6.8). The pressure gradient pushes with ρ V Du/Dt.
 TEST(AddedMass, InAcceleratingLiquid) {
   const AddedMass added{0.5, density, volume};
-  const dem::Vec3 liquid{1.0, -2.0, 3.0};
-  const dem::Vec3 force = density * volume * liquid + added.force_of_liquid(liquid);
+  const Vec3 liquid{1.0, -2.0, 3.0};
+  const Vec3 force = density * volume * liquid + added.force_of_liquid(liquid);
   const auto acceleration = [&](double mass) { return 1.0 / (mass + added.inertia()) * force; };
   EXPECT_NEAR(acceleration(density * volume).y, liquid.y, 1e-12);
   EXPECT_NEAR(acceleration(0.0).x, 3.0 * liquid.x, 1e-12);

@@ -13,10 +13,10 @@
 namespace slfb::coupling {
 namespace {
 
-using Slip = std::function<dem::Vec3(double)>;
+using Slip = std::function<Vec3(double)>;
 
 /// The bracket ∫ w'/√(t − τ) dτ + w(0)/√t after `steps` steps.
-dem::Vec3 integral(const Slip& slip, double time_step, int steps, std::size_t window = 16) {
+Vec3 integral(const Slip& slip, double time_step, int steps, std::size_t window = 16) {
   BassetHistory history(time_step, window);
   history.add(slip(0.0));
   for (int k = 1; k < steps; ++k) {
@@ -37,27 +37,27 @@ double integrate(std::function<double(double)> f, double lower, double upper) {
 
 // w = c t: 2 c √t, exact while all is in the window, and within 0.2 % of the tail's part of it after that.
 TEST(BassetHistory, OfASteadilyGrowingSlip) {
-  const Slip slip = [](double t) { return t * dem::Vec3{1.0, -2.0, 0.5}; };
+  const Slip slip = [](double t) { return t * Vec3{1.0, -2.0, 0.5}; };
   for (const int steps : {1, 5, 16}) {
     const double exact = 2.0 * std::sqrt(steps * 0.01);
-    expect_near(integral(slip, 0.01, steps), exact * dem::Vec3{1.0, -2.0, 0.5}, 1e-12);
+    expect_near(integral(slip, 0.01, steps), exact * Vec3{1.0, -2.0, 0.5}, 1e-12);
   }
   for (const int steps : {40, 1000, 100000}) {
     const double exact = 2.0 * std::sqrt(steps * 0.01);
-    expect_near(integral(slip, 0.01, steps), exact * dem::Vec3{1.0, -2.0, 0.5}, 2e-3 * exact);
+    expect_near(integral(slip, 0.01, steps), exact * Vec3{1.0, -2.0, 0.5}, 2e-3 * exact);
   }
 }
 
 // A slip that is there from the beginning and does not change: w/√t for all time.
 TEST(BassetHistory, OfASlipFromTheBeginning) {
-  const Slip slip = [](double) { return dem::Vec3{0.3, 0.0, -0.1}; };
+  const Slip slip = [](double) { return Vec3{0.3, 0.0, -0.1}; };
   for (const int steps : {1, 7, 30, 2000})
-    expect_near(integral(slip, 0.01, steps), 1.0 / std::sqrt(steps * 0.01) * dem::Vec3{0.3, 0.0, -0.1}, 1e-12);
+    expect_near(integral(slip, 0.01, steps), 1.0 / std::sqrt(steps * 0.01) * Vec3{0.3, 0.0, -0.1}, 1e-12);
 }
 
 // w = sin t: with x² = t − τ the integral is 2 ∫_0^√t cos(t − x²) dx. The error ends at that of the tail.
 TEST(BassetHistory, OfAnOscillatingSlip) {
-  const Slip slip = [](double t) { return dem::Vec3{std::sin(t), 0.0, 0.0}; };
+  const Slip slip = [](double t) { return Vec3{std::sin(t), 0.0, 0.0}; };
   const double time = 20.0;
   const double exact = 2.0 * integrate([&](double x) { return std::cos(time - x * x); }, 0.0, std::sqrt(time));
   const auto error = [&](int steps, std::size_t window) {
@@ -122,7 +122,7 @@ TEST(BassetHistory, CoefficientOfAStartAtConstantVelocity) {
   const double diameter = 3e-3, time = 0.05, nu = liquid.viscosity / liquid.density;
   const double force = basset_coefficient(diameter, liquid) * integral(
                                                                   [](double) {
-                                                                    return dem::Vec3{1, 0, 0};
+                                                                    return Vec3{1, 0, 0};
                                                                   },
                                                                   time / 10, 10)
                                                                   .x;
@@ -133,7 +133,7 @@ TEST(BassetHistory, CoefficientOfAStartAtConstantVelocity) {
 // Interrupted and resumed it goes on bit by bit; a sphere taken out leaves the others alone.
 TEST(BassetHistory, ResumesAndLosesASphere) {
   BassetHistory whole(0.01, 8), resumed(0.01, 8), alone(0.01, 8);
-  const auto slip = [](int i, int k) { return dem::Vec3{std::sin(0.3 * k + i), std::cos(0.2 * k), 0.1 * k * i}; };
+  const auto slip = [](int i, int k) { return Vec3{std::sin(0.3 * k + i), std::cos(0.2 * k), 0.1 * k * i}; };
   whole.add(slip(0, 0));
   whole.add(slip(1, 0));
   alone.add(slip(1, 0));

@@ -231,15 +231,15 @@ TEST(SelfInducedVelocity, GrowsAsOnTheGrid) {
 TEST(SelfInducedVelocity, StepsAndDirections) {
   const SelfInducedVelocity model({1000.0, 1e-3});
   const double concentration = 1.0 / std::pow(7e-3, 3);
-  const dem::Vec3 force{1e-4, -2e-4, 3e-4};
-  const auto after = [&](dem::Vec3 velocity, dem::Vec3 f, int steps, double time_step) {
+  const Vec3 force{1e-4, -2e-4, 3e-4};
+  const auto after = [&](Vec3 velocity, Vec3 f, int steps, double time_step) {
     for (int k = 0; k < steps; ++k) velocity = model.advance(velocity, f, concentration, 0.5, 0.05, time_step);
     return velocity;
   };
-  const dem::Vec3 once = after({}, force, 1, 0.1), many = after({}, force, 100, 1e-3);
-  expect_near(once, many, 1e-12 * dem::norm(once));
-  EXPECT_NEAR(dem::dot(once, force), dem::norm(once) * dem::norm(force), 1e-12 * dem::norm(once) * dem::norm(force));
-  EXPECT_LT(dem::norm(after(once, {}, 1, 10.0)), 1e-3 * dem::norm(once));
+  const Vec3 once = after({}, force, 1, 0.1), many = after({}, force, 100, 1e-3);
+  expect_near(once, many, 1e-12 * norm(once));
+  EXPECT_NEAR(dot(once, force), norm(once) * norm(force), 1e-12 * norm(once) * norm(force));
+  EXPECT_LT(norm(after(once, {}, 1, 10.0)), 1e-3 * norm(once));
   EXPECT_NEAR(model.mobility(concentration, 0.5, 0.05), 2.0 * model.mobility(concentration, 1.0, 0.05), 1e-9);
 }
 

@@ -11,40 +11,40 @@ constexpr double diameter = 2e-3, radius = 1e-3;
 
 // Rubinow & Keller (1961): a sphere that moves with V in liquid at rest and spins with Ω feels π r³ ρ Ω × V.
 TEST(MagnusLift, IsThatOfRubinowAndKeller) {
-  const dem::Vec3 spin{0, 0, 5.0}, velocity{0.01, 0, 0};
-  const dem::Vec3 lift = rubinow_keller_lift(relative_rotation({}, spin), -1.0 * velocity, diameter, liquid);
+  const Vec3 spin{0, 0, 5.0}, velocity{0.01, 0, 0};
+  const Vec3 lift = rubinow_keller_lift(relative_rotation({}, spin), -1.0 * velocity, diameter, liquid);
   const double size = std::numbers::pi * std::pow(radius, 3) * liquid.density * 5.0 * 0.01;
   expect_near(lift, {0, size, 0}, 1e-12 * size);
 }
 
 // A sphere that turns with the liquid, Ω = ½ ω, feels neither lift nor torque: a fluid element would do the same.
 TEST(MagnusLift, VanishesWhereTheSphereTurnsWithTheLiquid) {
-  const dem::Vec3 vorticity{2.0, -4.0, 6.0};
-  const dem::Vec3 rotation = relative_rotation(vorticity, {1.0, -2.0, 3.0});
-  EXPECT_EQ(dem::norm(rubinow_keller_lift(rotation, {0.1, 0.2, 0.3}, diameter, liquid)), 0.0);
-  EXPECT_EQ(dem::norm(oesterle_bui_dinh_lift(rotation, {0.1, 0.2, 0.3}, diameter, liquid)), 0.0);
-  EXPECT_EQ(dem::norm(viscous_torque(rotation, diameter, liquid)), 0.0);
+  const Vec3 vorticity{2.0, -4.0, 6.0};
+  const Vec3 rotation = relative_rotation(vorticity, {1.0, -2.0, 3.0});
+  EXPECT_EQ(norm(rubinow_keller_lift(rotation, {0.1, 0.2, 0.3}, diameter, liquid)), 0.0);
+  EXPECT_EQ(norm(oesterle_bui_dinh_lift(rotation, {0.1, 0.2, 0.3}, diameter, liquid)), 0.0);
+  EXPECT_EQ(norm(viscous_torque(rotation, diameter, liquid)), 0.0);
 }
 
 TEST(MagnusLift, TurnsWithTheFlow) {
-  const dem::Vec3 rotation{10.0, -20.0, 30.0}, slip{0.1, 0.05, -0.02};
+  const Vec3 rotation{10.0, -20.0, 30.0}, slip{0.1, 0.05, -0.02};
   for (const auto law : {rubinow_keller_lift, oesterle_bui_dinh_lift}) {
-    const dem::Vec3 lift = law(rotation, slip, diameter, liquid);
-    expect_near(law(turned(rotation), turned(slip), diameter, liquid), turned(lift), 1e-12 * dem::norm(lift));
+    const Vec3 lift = law(rotation, slip, diameter, liquid);
+    expect_near(law(turned(rotation), turned(slip), diameter, liquid), turned(lift), 1e-12 * norm(lift));
   }
-  const dem::Vec3 torque = viscous_torque(rotation, diameter, liquid);
-  expect_near(viscous_torque(turned(rotation), diameter, liquid), turned(torque), 1e-12 * dem::norm(torque));
+  const Vec3 torque = viscous_torque(rotation, diameter, liquid);
+  expect_near(viscous_torque(turned(rotation), diameter, liquid), turned(torque), 1e-12 * norm(torque));
 }
 
 // Oesterlé & Bui Dinh lead over to Rubinow and Keller where Re → 0, and to the coefficient 0.45 of ½ ρ π r² w² at high
 // Re.
 TEST(MagnusLift, OesterleAndBuiDinhHaveBothLimits) {
-  const dem::Vec3 slow{1e-7, 0, 0}, turning{0, 0, 1e-4};
-  const double creeping = dem::norm(rubinow_keller_lift(turning, slow, diameter, liquid));
-  EXPECT_NEAR(dem::norm(oesterle_bui_dinh_lift(turning, slow, diameter, liquid)), creeping, 1e-3 * creeping);
-  const dem::Vec3 fast{100.0, 0, 0}, spinning{0, 0, 2e5};
+  const Vec3 slow{1e-7, 0, 0}, turning{0, 0, 1e-4};
+  const double creeping = norm(rubinow_keller_lift(turning, slow, diameter, liquid));
+  EXPECT_NEAR(norm(oesterle_bui_dinh_lift(turning, slow, diameter, liquid)), creeping, 1e-3 * creeping);
+  const Vec3 fast{100.0, 0, 0}, spinning{0, 0, 2e5};
   const double dynamic = 0.5 * liquid.density * std::numbers::pi * radius * radius * 100.0 * 100.0;
-  EXPECT_NEAR(dem::norm(oesterle_bui_dinh_lift(spinning, fast, diameter, liquid)), 0.45 * dynamic, 1e-6 * dynamic);
+  EXPECT_NEAR(norm(oesterle_bui_dinh_lift(spinning, fast, diameter, liquid)), 0.45 * dynamic, 1e-6 * dynamic);
 }
 
 // Kirchhoff: 8 π μ r³ of relative rotation; Dennis et al. print 6.45/√R + 32.1/R with R = Ω r²/ν; its leading term is

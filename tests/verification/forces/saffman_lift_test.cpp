@@ -15,26 +15,26 @@ TEST(SaffmanLift, HasTheSizeAndTheDirectionOfSaffman) {
   const double shear = 0.02, slip = 1e-4, radius = 0.5 * diameter;
   const double size =
       6.46 * liquid.viscosity * radius * radius * slip * std::sqrt(shear * liquid.density / liquid.viscosity);
-  const dem::Vec3 lags = saffman_lift({slip, 0, 0}, {0, 0, -shear}, diameter, liquid);
+  const Vec3 lags = saffman_lift({slip, 0, 0}, {0, 0, -shear}, diameter, liquid);
   expect_near(lags, {0, size, 0}, 1e-4 * size);
-  const dem::Vec3 leads = saffman_lift({-slip, 0, 0}, {0, 0, -shear}, diameter, liquid);
+  const Vec3 leads = saffman_lift({-slip, 0, 0}, {0, 0, -shear}, diameter, liquid);
   expect_near(leads, {0, -size, 0}, 1e-4 * size);
 }
 
 TEST(SaffmanLift, TurnsWithTheFlow) {
-  const dem::Vec3 slip{0.01, -0.02, 0.005}, vorticity{1.0, 3.0, -2.0};
+  const Vec3 slip{0.01, -0.02, 0.005}, vorticity{1.0, 3.0, -2.0};
   for (const auto law : {saffman_lift, mei_lift}) {
-    const dem::Vec3 lift = law(slip, vorticity, diameter, liquid);
-    expect_near(law(turned(slip), turned(vorticity), diameter, liquid), turned(lift), 1e-12 * dem::norm(lift));
-    EXPECT_NEAR(dem::dot(lift, slip) / dem::norm(lift) / dem::norm(slip), 0.0, 1e-12);
-    EXPECT_GT(dem::norm(lift), 0.0);
+    const Vec3 lift = law(slip, vorticity, diameter, liquid);
+    expect_near(law(turned(slip), turned(vorticity), diameter, liquid), turned(lift), 1e-12 * norm(lift));
+    EXPECT_NEAR(dot(lift, slip) / norm(lift) / norm(slip), 0.0, 1e-12);
+    EXPECT_GT(norm(lift), 0.0);
   }
 }
 
 TEST(SaffmanLift, VanishesWithoutSlipOrShear) {
   for (const auto law : {saffman_lift, mei_lift}) {
-    EXPECT_EQ(dem::norm(law({0, 0, 0}, {1, 2, 3}, diameter, liquid)), 0.0);
-    EXPECT_EQ(dem::norm(law({0.1, 0, 0}, {0, 0, 0}, diameter, liquid)), 0.0);
+    EXPECT_EQ(norm(law({0, 0, 0}, {1, 2, 3}, diameter, liquid)), 0.0);
+    EXPECT_EQ(norm(law({0.1, 0, 0}, {0, 0, 0}, diameter, liquid)), 0.0);
   }
 }
 
