@@ -544,7 +544,7 @@ TEST(SameBits, AfterAStopAtAnyCall) {
       auto engine = std::make_unique<Engine>(bed.engine(1, as_numbered(241)));
       for (std::size_t k = 0; k < calls.size(); ++k) {
         if (k % stride == 0) {
-          auto resumed = std::make_unique<Engine>(bed.contact, bed.walls, bed.period, k % 10 == 0 ? 3 : 1);
+          auto resumed = std::make_unique<Engine>(make_engine(bed.contact, bed.walls, bed.period, k % 10 == 0 ? 3 : 1));
           resumed->restore(engine->particles, engine->memory());
           set_gravity(*resumed, 5.0);
           engine = std::move(resumed);
