@@ -9,7 +9,7 @@
 namespace slfb::simulation {
 
 /// Liquid in the plane y = 0 at the end of fluidisation, and the fluctuation of its velocity before. Records nothing
-/// without a flowing liquid.
+/// if the spheres do not act on the liquid.
 class LiquidRecorder {
  public:
   /// \param result is filled; it must outlive the recorder

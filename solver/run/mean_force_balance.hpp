@@ -17,7 +17,7 @@ class MeanForceBalance {
   explicit MeanForceBalance(const Scene& scene) : scene_(scene) {}
 
   /// To be called before and after each liquid step of the model. The first step gives no balance, because the liquid's
-  /// momentum before it is not known; without a flowing liquid no step does.
+  /// momentum before it is not known; if the spheres do not act on the liquid, no step does.
   void start_step(const Model& model);
   void end_step(const Model& model);
   /// Spheres were put in or taken out. Liquid appears or vanishes there, so that the next step is left out.

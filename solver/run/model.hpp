@@ -42,8 +42,9 @@ class Model {
 
   [[nodiscard]] const dem::Engine& engine() const { return engine_; }
   [[nodiscard]] const dem::Particles& particles() const { return engine_.particles; }
+  /// The liquid of the scene; while the bed settles it waits.
   [[nodiscard]] const fluid::Liquid& liquid() const { return *liquid_; }
-  /// Between the spheres and the flowing liquid.
+  /// Between the spheres and that liquid.
   [[nodiscard]] coupling::PhaseCoupling& coupling() { return *flowing_; }
   [[nodiscard]] const coupling::PhaseCoupling& coupling() const { return *flowing_; }
 
@@ -60,7 +61,7 @@ class Model {
   dem::Engine engine_;
   fluid::PrescribedLiquid liquid_at_rest_;  ///< while the bed settles
   std::unique_ptr<fluid::Liquid> liquid_;
-  std::unique_ptr<coupling::PhaseCoupling> resting_, flowing_;  ///< while the bed settles, and after
+  std::unique_ptr<coupling::PhaseCoupling> resting_, flowing_;  ///< with the one and the other liquid
   std::int64_t sphere_steps_;                                   ///< per liquid step
   std::optional<std::size_t> dropped_;
 };

@@ -1,6 +1,11 @@
 // What a checkpoint holds of spheres, liquid and their exchange.
 #include <fmt/format.h>
 
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
 #include "solver/run/model.hpp"
 
 namespace slfb::simulation {
@@ -39,37 +44,33 @@ void exchange_fields(io::StateGroup& group, const Owner& owner, Restore restore)
 
 /// Contacts as one array per property.
 void exchange_contacts(io::StateGroup& group, std::vector<dem::ContactRecord>& records) {
-  const auto column = [&](const std::string& name, auto property, const std::string& unit = "") {
-    std::vector<double> values;
-    for (dem::ContactRecord& record : records) values.push_back(property(record));
-    group.values(name, values, unit, records.size());
-    for (std::size_t c = 0; c < records.size(); ++c) property(records[c]) = values[c];
-  };
-  const auto number = [&](const std::string& name, std::uint32_t dem::ContactRecord::*property, bool first) {
+  using Record = dem::ContactRecord;
+  const auto number = [&](const std::string& name, std::uint32_t Record::*property, std::optional<std::size_t> length) {
     std::vector<std::int64_t> values;
-    for (const dem::ContactRecord& record : records) values.push_back(record.*property);
-    group.values(name, values, first ? std::optional<std::size_t>() : records.size());
+    for (const Record& record : records) values.push_back(record.*property);
+    group.values(name, values, length);
     records.resize(values.size());
     for (std::size_t c = 0; c < records.size(); ++c) records[c].*property = static_cast<std::uint32_t>(values[c]);
   };
-  using Record = dem::ContactRecord;
-  number("first", &Record::first, true);
-  number("second", &Record::second, false);
-  number("first_step", &Record::first_step, false);
-  column(
-      "spring_x", [](Record& c) -> double& { return c.spring.x; }, "m");
-  column(
-      "spring_y", [](Record& c) -> double& { return c.spring.y; }, "m");
-  column(
-      "spring_z", [](Record& c) -> double& { return c.spring.z; }, "m");
-  column(
-      "rolling_memory_x", [](Record& c) -> double& { return c.rolling_memory.x; }, "N m");
-  column(
-      "rolling_memory_y", [](Record& c) -> double& { return c.rolling_memory.y; }, "N m");
-  column(
-      "rolling_memory_z", [](Record& c) -> double& { return c.rolling_memory.z; }, "N m");
-  column(
-      "impact_speed", [](Record& c) -> double& { return c.impact_speed; }, "m s-1");
+  const auto vector = [&](const std::string& name, dem::Vec3 Record::*property, const std::string& unit) {
+    dem::VectorField field;
+    for (const Record& record : records) {
+      field.x.push_back((record.*property).x);
+      field.y.push_back((record.*property).y);
+      field.z.push_back((record.*property).z);
+    }
+    exchange_vectors(group, name, field, unit, records.size());
+    for (std::size_t c = 0; c < records.size(); ++c) records[c].*property = {field.x[c], field.y[c], field.z[c]};
+  };
+  number("first", &Record::first, {});
+  number("second", &Record::second, records.size());
+  number("first_step", &Record::first_step, records.size());
+  vector("spring", &Record::spring, "m");
+  vector("rolling_memory", &Record::rolling_memory, "N m");
+  std::vector<double> impact_speed;
+  for (const Record& record : records) impact_speed.push_back(record.impact_speed);
+  group.values("impact_speed", impact_speed, "m s-1", records.size());
+  for (std::size_t c = 0; c < records.size(); ++c) records[c].impact_speed = impact_speed[c];
 }
 
 void exchange_particles(io::StateGroup& group, dem::Particles& particles) {

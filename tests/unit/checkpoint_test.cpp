@@ -77,7 +77,7 @@ TEST_F(CheckpointTest, TheMotionGoesOnAsIfNothingHadHappened) {
     other.advance(false);
   }
   EXPECT_EQ(model.particles().position.z, other.particles().position.z);
-  EXPECT_EQ(model.liquid()->pressure(), other.liquid()->pressure());
+  EXPECT_EQ(model.liquid().pressure(), other.liquid().pressure());
 }
 
 TEST_F(CheckpointTest, AMissingNameIsNamed) {
