@@ -6,7 +6,6 @@
 #include <array>
 #include <cmath>
 #include <filesystem>
-#include <fstream>
 #include <iostream>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -19,11 +18,13 @@
 #include "experiments/compare/bed_figures.hpp"
 #include "experiments/compare/contact_report.hpp"
 #include "experiments/compare/drag_report.hpp"
+#include "experiments/peng_2014/comparison.hpp"
 #include "experiments/runs/measure.hpp"
 #include "experiments/runs/run_estimate.hpp"
 #include "experiments/runs/run_files.hpp"
 #include "solver/laws/user_law.hpp"
 #include "solver/scene/scene_description.hpp"
+#include "solver/support/files.hpp"
 #include "solver/support/folders.hpp"
 
 namespace slfb {
@@ -31,6 +32,7 @@ namespace {
 
 namespace fs = std::filesystem;
 using compare::Candidate;
+using compare::ComparisonBed;
 using compare::Tier;
 
 constexpr const char* examples = R"(Examples:
@@ -69,23 +71,27 @@ Tier tier_named(const std::string& name) {
   return std::ranges::find(tiers, name, &std::pair<std::string, Tier>::first)->second;
 }
 
-std::string read_file(const fs::path& file) {
-  std::ifstream stream(file, std::ios::binary);
-  std::ostringstream text;
-  if (!stream || !(text << stream.rdbuf())) throw std::runtime_error(fmt::format("cannot read {}", file.string()));
-  return text.str();
-}
-
-std::string about_tier(Tier tier, const std::vector<RunSpec>& runs) {
+std::string about_tier(const ComparisonBed& bed, Tier tier, const std::vector<RunSpec>& runs) {
   if (tier == Tier::correlation) return "No bed was simulated.";
   std::vector<std::string> velocities;
   for (const RunSpec& run : runs) velocities.push_back(fmt::format("{:.2f}", run.superficial_velocity));
   const std::string at = fmt::format(" At {} m/s.", fmt::join(velocities, ", "));
-  if (tier == Tier::one_dimensional)
-    return "Simulated in a slice of the paper's bed (20 mm square, periodic sides, 733 spheres) in a one-dimensional "
-           "liquid: collisions and fluctuations are there, walls and circulation of the liquid are not." +
-           at;
-  return "Simulated in the bed of the paper with the settings of the profile quick, three-dimensional liquid." + at;
+  return (tier == Tier::one_dimensional ? bed.about_one_dimensional : bed.about_three_dimensional) + at;
+}
+
+/// What is asked for: the bed, and the claims and runs chosen from it.
+struct Question {
+  ComparisonBed bed;
+  Tier tier;
+  std::vector<Claim> claims;
+  std::vector<RunSpec> runs;
+};
+
+Question question(const Options& options) {
+  Question asked{paper::comparison_bed(), tier_named(options.tier), {}, {}};
+  asked.claims = compare::claims_of_runs(asked.bed, options.experiments);
+  asked.runs = compare::runs_of(asked.bed, asked.tier, asked.claims, options.velocities);
+  return asked;
 }
 
 /// What the candidates are, and what to say of them before and beside the simulations.
@@ -96,8 +102,8 @@ struct Comparison {
 };
 
 /// Runs the simulations and fills the candidates. Everything is checked before anything is computed.
-CampaignOutcome compute(Comparison& comparison, Tier tier, const std::vector<Claim>& claims,
-                        const std::vector<RunSpec>& runs, const Options& options) {
+CampaignOutcome compute(Comparison& comparison, const Question& asked, const Options& options) {
+  const std::vector<RunSpec>& runs = asked.runs;
   double core_seconds = 0.0;
   for (const Candidate& candidate : comparison.candidates)
     for (RunSpec run : runs) {
@@ -108,35 +114,34 @@ CampaignOutcome compute(Comparison& comparison, Tier tier, const std::vector<Cla
   const int cores = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
   const int jobs = options.jobs > 0 ? options.jobs : std::max(1, cores / options.threads);
   CampaignOutcome outcome;
-  if (tier != Tier::correlation) {
+  if (asked.tier != Tier::correlation) {
     fmt::print(stderr, "{} simulations, about {} on {} core{}\n", comparison.candidates.size() * runs.size(),
                format_duration(core_seconds / (jobs * options.threads)), jobs * options.threads,
                jobs * options.threads == 1 ? "" : "s");
     outcome = compare::simulate(comparison.candidates, runs,
                                 {.out = options.out, .jobs = jobs, .threads_per_run = options.threads});
   }
-  compare::evaluate_candidates(comparison.candidates, claims);
+  compare::evaluate_candidates(comparison.candidates, asked.claims);
   return outcome;
 }
 
-void write_report(const Comparison& comparison, Tier tier, const std::vector<Claim>& claims,
-                  const std::vector<RunSpec>& runs, std::vector<compare::Section> sections,
+void write_report(const Comparison& comparison, const Question& asked, std::vector<compare::Section> sections,
                   const std::string& extra_cost, const nlohmann::ordered_json& extra_json,
                   const CampaignOutcome& outcome, const fs::path& folder) {
+  const auto& [bed, tier, claims, runs] = asked;
   if (!outcome.failures.empty()) sections.push_back(compare::failure_section(outcome.failures));
   if (tier != Tier::correlation || comparison.kind == "drag")
     sections.push_back(compare::claims_section(comparison.candidates, claims));
   sections.push_back(compare::cost_section(comparison.candidates, extra_cost));
   std::vector<std::string> names;
   for (const Candidate& candidate : comparison.candidates) names.push_back(candidate.name);
-  compare::write_page(comparison.title, fmt::format("<p>{}. {}</p>", fmt::join(names, ", "), about_tier(tier, runs)),
-                      sections, folder);
+  compare::write_page(comparison.title,
+                      fmt::format("<p>{}. {}</p>", fmt::join(names, ", "), about_tier(bed, tier, runs)), sections,
+                      folder);
   compare::write_claims_csv(comparison.candidates, claims, folder);
   nlohmann::ordered_json answer = compare::candidates_json(comparison.candidates, claims);
   if (!extra_json.is_null()) answer["laws"] = extra_json;
-  std::ofstream stream(folder / "compare.json");
-  stream << answer.dump(2) << '\n';
-  if (!stream.flush()) throw std::runtime_error(fmt::format("cannot write {}", (folder / "compare.json").string()));
+  write_file(folder / "compare.json", answer.dump(2) + "\n");
 }
 
 /// A line of the summary: a name, then a column per candidate.
@@ -181,46 +186,50 @@ int finish(const CampaignOutcome& outcome, const fs::path& folder) {
 }
 
 int compare_drag(const Options& options) {
+  const Question asked = question(options);
+  const ComparisonBed& bed = asked.bed;
   std::vector<std::string> arguments = options.drag;
-  if (arguments.size() == 1 && arguments[0] != "gidaspow-1994") arguments.insert(arguments.begin(), "gidaspow-1994");
+  if (arguments.size() == 1 && arguments[0] != bed.drag_law) arguments.insert(arguments.begin(), bed.drag_law);
   const auto laws = compare::compared_drag_laws(arguments);
   if (laws.size() < 2)
-    throw std::invalid_argument("--drag gidaspow-1994: nothing to compare the paper's law with; name another law too");
-  const Tier tier = tier_named(options.tier);
-  const std::vector<Claim> claims = compare::claims_of_runs(options.experiments);
-  const std::vector<RunSpec> runs = compare::runs_of(tier, claims, options.velocities);
+    throw std::invalid_argument(
+        fmt::format("--drag {}: nothing to compare the paper's law with; name another law too", bed.drag_law));
   Comparison comparison{"drag", "Drag laws side by side", {}};
+  std::vector<compare::DragFindings> findings;
   for (const auto& compared : laws) {
     Candidate candidate{compared.name(), {"coupling.drag_law=" + compared.argument}, {}, {}};
-    if (tier == Tier::correlation) candidate.measurements = compare::measure_homogeneous_bed(compared.law);
+    if (asked.tier == Tier::correlation) candidate.measurements = compare::measure_homogeneous_bed(compared.law, bed);
     comparison.candidates.push_back(std::move(candidate));
+    findings.push_back(compare::characterise(compared.law, bed));
   }
-  const auto findings = compare::find_out(laws);
-  const CampaignOutcome outcome = compute(comparison, tier, claims, runs, options);
+  const CampaignOutcome outcome = compute(comparison, asked, options);
 
   const fs::path folder = options.out / "compare" / comparison.kind;
-  auto sections = compare::drag_sections(laws, findings, comparison.candidates, folder);
+  auto sections = compare::drag_sections(laws, findings, comparison.candidates, bed, folder);
   std::vector<compare::RangeNotes> notes;
   for (std::size_t i = 0; i < laws.size(); ++i)
-    notes.push_back({laws[i].name(), compare::uses_outside_range(laws[i].law, comparison.candidates[i].measurements)});
+    notes.push_back(
+        {laws[i].name(), compare::uses_outside_range(laws[i].law, bed, comparison.candidates[i].measurements)});
   sections.push_back(compare::range_section(notes));
-  write_report(comparison, tier, claims, runs, sections, compare::evaluation_cost_html(laws, findings),
-               compare::drag_json(laws, findings), outcome, folder);
+  write_report(comparison, asked, sections, compare::evaluation_cost_html(laws, findings),
+               compare::drag_json(laws, findings, bed), outcome, folder);
 
-  std::vector<std::string> names, properties, fluidisation, falls, nanoseconds;
+  std::vector<std::string> names, properties, fluidisation, classification, nanoseconds;
+  const double velocity = bed.tabulated_velocities.back();
   for (std::size_t i = 0; i < laws.size(); ++i) {
     names.push_back(laws[i].name());
     properties.push_back(fmt::format("{} of {}",
                                      std::ranges::count(findings[i].properties, true, &compare::PropertyCheck::holds),
                                      findings[i].properties.size()));
     fluidisation.push_back(fmt::format("{:.4g}", findings[i].minimum_fluidisation));
-    falls.push_back(fmt::format("{:.4g}", compare::homogeneous_bed(laws[i].law, 0.10).classification_velocity));
+    classification.push_back(
+        fmt::format("{:.4g}", compare::homogeneous_bed(laws[i].law, bed, velocity).classification_velocity));
     nanoseconds.push_back(fmt::format("{:.1f} ns", 1e9 * findings[i].seconds_per_evaluation));
   }
   print_row("", names);
   print_row("properties that hold", properties);
   print_row("U_mf [m/s]", fluidisation);
-  print_row("V_2 by force balance at 0.10 m/s [m/s]", falls);
+  print_row(fmt::format("V_2 by force balance at {:.2f} m/s [m/s]", velocity), classification);
   print_row("one evaluation", nanoseconds);
   print_candidates(comparison.candidates);
   for (std::size_t i = 0; i < laws.size(); ++i) print_missing_properties(laws[i].name(), findings[i].properties);
@@ -229,32 +238,33 @@ int compare_drag(const Options& options) {
 }
 
 int compare_contact(const Options& options) {
+  const Question asked = question(options);
+  const ComparisonBed& bed = asked.bed;
   std::vector<std::string> arguments = options.contact;
-  if (arguments.size() == 1 && arguments[0] != "linear") arguments.insert(arguments.begin(), "linear");
+  if (arguments.size() == 1 && arguments[0] != bed.contact_law) arguments.insert(arguments.begin(), bed.contact_law);
   if (arguments.size() < 2)
-    throw std::invalid_argument("--contact linear: nothing to compare it with; name another law too, or parameters");
-  const Tier tier = tier_named(options.tier);
-  const std::vector<Claim> claims = compare::claims_of_runs(options.experiments);
-  const std::vector<RunSpec> runs = compare::runs_of(tier, claims, options.velocities);
-  // Without a bed, the contacts are still those of the slice.
-  const RunSpec scene =
-      runs.empty() ? compare::runs_of(Tier::one_dimensional, claims, options.velocities).front() : runs.front();
-  const auto laws = compare::compared_contact_laws(arguments, scene);
+    throw std::invalid_argument(
+        fmt::format("--contact {}: nothing to compare it with; name another law too, or parameters", bed.contact_law));
+  // Without a simulation of the bed, the contacts are still those of the slice.
+  const RunSpec scene = asked.runs.empty()
+                            ? compare::runs_of(bed, Tier::one_dimensional, asked.claims, options.velocities).front()
+                            : asked.runs.front();
+  const auto laws = compare::compared_contact_laws(arguments, scene, bed);
   Comparison comparison{"contact", "Contact laws side by side", {}};
   std::vector<compare::ContactFindings> findings;
   for (const auto& law : laws) {
     comparison.candidates.push_back({law.name, law.overrides, {}, {}});
-    findings.push_back(compare::find_out(law));
+    findings.push_back(compare::characterise(law, bed));
   }
-  const CampaignOutcome outcome = compute(comparison, tier, claims, runs, options);
+  const CampaignOutcome outcome = compute(comparison, asked, options);
 
   const fs::path folder = options.out / "compare" / comparison.kind;
-  auto sections = compare::contact_sections(laws, findings, comparison.candidates, folder);
+  auto sections = compare::contact_sections(laws, findings, comparison.candidates, bed, folder);
   std::vector<compare::RangeNotes> notes;
   for (std::size_t i = 0; i < laws.size(); ++i)
-    notes.push_back({laws[i].name, compare::uses_outside_range(laws[i], comparison.candidates[i].measurements)});
+    notes.push_back({laws[i].name, compare::uses_outside_range(laws[i], bed, comparison.candidates[i].measurements)});
   sections.push_back(compare::range_section(notes));
-  write_report(comparison, tier, claims, runs, sections, compare::contact_cost_html(laws, findings),
+  write_report(comparison, asked, sections, compare::contact_cost_html(laws, findings),
                compare::contact_json(laws, findings), outcome, folder);
 
   const auto row = [&](const std::string& name, auto cell) {
@@ -283,7 +293,7 @@ int compare_contact(const Options& options) {
       [](const Law&, const Found& found) { return fmt::format("{:.3g}", found.stability_limit); });
   row("one contact",
       [](const Law&, const Found& found) { return fmt::format("{:.1f} ns", 1e9 * found.seconds_per_contact); });
-  if (tier != Tier::correlation) print_candidates(comparison.candidates);
+  if (asked.tier != Tier::correlation) print_candidates(comparison.candidates);
   for (std::size_t i = 0; i < laws.size(); ++i) print_missing_properties(laws[i].name, findings[i].properties);
   print_range_notes(notes);
   return finish(outcome, folder);
@@ -303,22 +313,20 @@ int compare_void_fraction(const Options& options) {
   if (options.void_fraction.size() < 2)
     throw std::invalid_argument(
         fmt::format("--void-fraction: needs two schemes or more; known: {}", fmt::join(known, ", ")));
-  const Tier tier = tier_named(options.tier);
-  if (tier == Tier::correlation)
+  if (tier_named(options.tier) == Tier::correlation)
     throw std::invalid_argument(
         "--tier correlation: a void-fraction scheme exists in simulations only; allowed are 1d and 3d");
-  const std::vector<Claim> claims = compare::claims_of_runs(options.experiments);
-  const std::vector<RunSpec> runs = compare::runs_of(tier, claims, options.velocities);
+  const Question asked = question(options);
   Comparison comparison{"void-fraction", "Void-fraction schemes side by side", {}};
   for (const std::string& name : options.void_fraction)
     comparison.candidates.push_back({name, {"coupling.void_fraction=" + name}, {}, {}});
-  const CampaignOutcome outcome = compute(comparison, tier, claims, runs, options);
+  const CampaignOutcome outcome = compute(comparison, asked, options);
   const fs::path folder = options.out / "compare" / comparison.kind;
   std::vector<compare::Section> sections{
       {"bed", "In the bed",
        "<p>What the runs measured, beside the paper and the correlations.</p>\n" +
-           compare::pictures_html(compare::draw_bed_pictures(comparison.candidates, folder / "figures"))}};
-  write_report(comparison, tier, claims, runs, sections, "", nullptr, outcome, folder);
+           compare::pictures_html(compare::draw_bed_pictures(comparison.candidates, asked.bed, folder / "figures"))}};
+  write_report(comparison, asked, sections, "", nullptr, outcome, folder);
   print_row("", options.void_fraction);
   print_candidates(comparison.candidates);
   return finish(outcome, folder);

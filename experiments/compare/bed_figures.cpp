@@ -5,61 +5,105 @@
 #include <algorithm>
 #include <cmath>
 
+#include "correlations/collision/collision_force/grbavcic_2009.hpp"
+#include "correlations/collision/collision_force/peng_2014.hpp"
+#include "correlations/collision/collision_force/van_der_wielen_1996.hpp"
 #include "correlations/collision/collision_frequency/simonin_1991.hpp"
 #include "correlations/collision/radial_distribution/lun_savage_1986.hpp"
+#include "correlations/drag/doroodchi_2012.hpp"
+#include "correlations/fluidisation/bed_expansion.hpp"
 #include "experiments/figures/figure_support.hpp"
-#include "experiments/peng_2014/fig25_collision_force/collision_force_laws.hpp"
-#include "experiments/peng_2014/figures.hpp"
-#include "experiments/reference/reference_data.hpp"
 #include "experiments/runs/measure.hpp"
-#include "reports/gnuplot.hpp"
+#include "solver/support/folders.hpp"
 
 namespace slfb::compare {
 namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* system_name = "6in5W";
 const std::vector<std::string> formats{"svg", "png"};
 
-Picture draw_classification(const std::vector<Candidate>& candidates, const fs::path& folder) {
+/// The foreign sphere in the bed at that voidage [-] and superficial velocity [m/s].
+ForeignSphereInBed foreign_in_bed(const ComparisonBed& bed, double voidage, double superficial_velocity) {
+  return {.bed = bed.bed.sphere,
+          .foreign = bed.foreign.sphere,
+          .liquid = bed.liquid,
+          .voidage = voidage,
+          .superficial_velocity = superficial_velocity};
+}
+
+Picture draw_classification(const std::vector<Candidate>& candidates, const ComparisonBed& bed,
+                            const fs::path& folder) {
   const std::string id = "simulated_classification";
-  DataTable paper{id, {"superficial velocity [m/s]", "V_2 of Table 2 [m/s]"}, {}};
-  for (const Table2Row& row : peng_2014().table2())
-    paper.rows.push_back({row.superficial_velocity, row.classification_velocity});
-  write_csv(paper, folder);
-  draw_figure(
-      id,
-      "set key tmargin left Left reverse maxrows 4 font ',12'\nset xrange [0.05:0.13]\nset yrange [0:0.3<*]\nset "
-      "xlabel 'superficial velocity U_L [m/s]'\nset ylabel 'classification velocity V_2 [m/s]'\nplot "
-      "'simulated_classification.csv' skip 1 using 1:2 with points linestyle 1 dashtype 1 title 'paper, Table 2'" +
-          simulated_points(id, candidates, "", "classification_velocity", "m/s", folder) + "\n",
-      {560, 460}, folder, formats);
+  DataTable printed{id, {"superficial velocity [m/s]", "V_2 as printed [m/s]"}, {}};
+  for (const PrintedPoint& point : bed.classification.points)
+    printed.rows.push_back({point.superficial_velocity, point.value});
+  write_csv(printed, folder);
+  PlotValues values;
+  values.text("printed_title", bed.classification.title);
+  add_simulated(id, candidates, bed, "", "classification_velocity", "m/s", values, folder);
+  draw_plot(id, plot_file(id), values, {560, 460}, folder, "", formats);
   return {id, "Classification velocity",
-          "The 6 mm steel sphere through the bed of 5 mm glass: means of the drops with 95 % intervals, those of one "
-          "velocity side by side, and the paper's values."};
+          fmt::format("The {} sphere through the bed of {}: means of the drops with 95 % intervals, those of one "
+                      "velocity side by side, and the paper's values.",
+                      bed.foreign.words(), bed.bed.words())};
 }
 
-Picture draw_collision_force(const std::vector<Candidate>& candidates, const fs::path& folder) {
+/// The laws of the collision force over the voidage. The velocity has no part in them.
+DataTable collision_force_laws(const std::string& name, const ComparisonBed& bed) {
+  using Foreign = collision::Grbavcic2009<collision::DisplacedDrag::of_foreign_sphere>;
+  using Bed = collision::Grbavcic2009<collision::DisplacedDrag::of_bed_spheres>;
+  DataTable curves{name,
+                   {"voidage [-]", "Peng 2014 [-]", "Grbavcic 2009 with f = 0 and the foreign sphere [-]",
+                    "Grbavcic 2009 with f = 0 and the bed spheres [-]"},
+                   {}};
+  constexpr int steps = 120;
+  for (int step = 0; step <= steps; ++step) {
+    const double voidage = 0.4 + 0.6 * step / steps;
+    const ForeignSphereInBed state = foreign_in_bed(bed, voidage, 0.0);
+    curves.rows.push_back(
+        {voidage,
+         collision::Peng2014::info.voidage.contains(voidage) ? collision::Peng2014{}(state, 0.0) : std::nan(""),
+         Foreign{0.0}(state), Bed{0.0}(state)});
+  }
+  return curves;
+}
+
+/// Van der Wielen's force with the printed classification velocities, at the voidage of the homogeneous bed.
+DataTable van_der_wielen_force(const std::string& name, const ComparisonBed& bed) {
+  DataTable points{name,
+                   {"superficial velocity [m/s]", "voidage [-]", "classification velocity as printed [m/s]",
+                    "force over weight [-]"},
+                   {}};
+  for (const PrintedPoint& point : bed.classification.points) {
+    const double voidage = fluidisation::bed_voidage(drag::Doroodchi2012{}, bed.bed.sphere, bed.liquid,
+                                                     point.superficial_velocity, bed.packed_voidage)
+                               .voidage;
+    const ForeignSphereInBed state = foreign_in_bed(bed, voidage, point.superficial_velocity);
+    points.rows.push_back(
+        {point.superficial_velocity, voidage, point.value, collision::VanDerWielen1996{}(state, point.value)});
+  }
+  return points;
+}
+
+Picture draw_collision_force(const std::vector<Candidate>& candidates, const ComparisonBed& bed,
+                             const fs::path& folder) {
   const std::string id = "collision_force";
-  write_csv(collision_force_laws(id), folder);
-  write_csv(van_der_wielen_of_table_2(id + "_van_der_wielen"), folder);
-  draw_figure(id,
-              "set key tmargin left Left reverse vertical maxrows 6 font ',12'\nset xrange [0.4:1]\nset yrange "
-              "[0:*]\n" +
-                  collision_force_plot(id) +
-                  simulated_points(id, candidates, "voidage_centre_of_mass", "collision_force_ratio", "-", folder) +
-                  "\n",
-              {560, 520}, folder, formats);
-  return {id, "Collision force on the steel sphere",
-          "Mean magnitude of the contact force over the weight, with 95 % intervals, beside Eq. 40, van der Wielen's "
-          "force with the velocities of Table 2, and Grbavčić's force between no transition (f = 0, the edge of each "
-          "shade) and none left (f = 1, zero)."};
+  write_csv(collision_force_laws(id, bed), folder);
+  write_csv(van_der_wielen_force(id + "_van_der_wielen", bed), folder);
+  PlotValues values;
+  add_simulated(id, candidates, bed, "voidage_centre_of_mass", "collision_force_ratio", "-", values, folder);
+  draw_plot(id, plot_file(id), values, {560, 520}, folder, "", formats);
+  return {id, fmt::format("Collision force on the {} sphere", bed.foreign.material),
+          "Mean magnitude of the contact force over the weight, with 95 % intervals, beside Eq. 40 of Peng et al. "
+          "(2014), van der Wielen's force with the printed velocities, and Grbavčić's force between no transition "
+          "(f = 0, the edge of each shade) and none left (f = 1, zero)."};
 }
 
-Picture draw_collision_frequency(const std::vector<Candidate>& candidates, const fs::path& folder) {
+Picture draw_collision_frequency(const std::vector<Candidate>& candidates, const ComparisonBed& bed,
+                                 const fs::path& folder) {
   const std::string id = "collision_frequency";
-  DataTable theory{id, {"voidage [-]", "f* of Eq. 6 with g_0 of Eq. 7 [-]"}, {}};
+  DataTable theory{id, {"voidage [-]", "f* of Simonin 1991 with g_0 of Lun and Savage 1986 [-]"}, {}};
   const collision::LunSavage1986 contact_value;
   for (double solids = 0.01; solids < contact_value.packed_solids; solids += 0.005) {
     const collision::CollisionState state{.solids = solids,
@@ -70,39 +114,41 @@ Picture draw_collision_frequency(const std::vector<Candidate>& candidates, const
     theory.rows.push_back({1.0 - solids, collision::dimensionless_frequency(collision::Simonin1991{}(state), state)});
   }
   write_csv(theory, folder);
-  draw_figure(
-      id,
-      "set key tmargin left Left reverse maxrows 4 font ',12'\nset xrange [0.4:1]\nset logscale y\nset yrange "
-      "[*<0.3:1000<*]\nset xlabel 'voidage α_L [-]'\nset ylabel 'collision frequency f* [-]'\nplot "
-      "'collision_frequency.csv' skip 1 using 1:2 with lines linestyle 1 title 'kinetic theory, Eq. 6 (paper)'" +
-          simulated_points(id, candidates, "voidage_centre_of_mass", "dimensionless_collision_frequency", "-", folder) +
-          "\n",
-      {560, 460}, folder, formats);
-  return {
-      id, "Collision frequency of the steel sphere",
-      "New contacts of the steel sphere with the bed per time, f* = f d_1/√(q_p²) with the bed's fluctuating energy, "
-      "with 95 % intervals, beside the kinetic theory of like spheres that the paper compares with."};
+  PlotValues values;
+  add_simulated(id, candidates, bed, "voidage_centre_of_mass", "dimensionless_collision_frequency", "-", values,
+                folder);
+  draw_plot(id, plot_file(id), values, {560, 460}, folder, "", formats);
+  return {id, fmt::format("Collision frequency of the {} sphere", bed.foreign.material),
+          fmt::format("New contacts of the {} sphere with the bed per time, f* = f d_1/√(q_p²) with the bed's "
+                      "fluctuating energy, with 95 % intervals, beside the kinetic theory of like spheres that the "
+                      "paper compares with.",
+                      bed.foreign.material)};
 }
 
 }  // namespace
 
-std::string simulated_points(const std::string& id, const std::vector<Candidate>& candidates, const std::string& x,
-                             const std::string& y, const std::string& y_unit, const fs::path& folder) {
-  std::string plot;
+fs::path plot_file(const std::string& name) {
+  return source_folder() / "experiments" / "compare" / "plots" / (name + ".gp");
+}
+
+void add_simulated(const std::string& id, const std::vector<Candidate>& candidates, const ComparisonBed& bed,
+                   const std::string& x, const std::string& y, const std::string& y_unit, PlotValues& values,
+                   const fs::path& folder) {
+  std::vector<std::string> tables, titles;
+  std::vector<double> styles;
   for (std::size_t i = 0; i < candidates.size(); ++i) {
+    if (candidates[i].runs == 0) continue;
     DataTable table{fmt::format("{}_simulated_{}", id, i + 1),
-                    {"superficial velocity [m/s]", x.empty() ? "place in the picture [m/s]" : x + " [-]",
+                    {"superficial velocity [m/s]", x.empty() ? "abscissa in the picture [m/s]" : x + " [-]",
                      "half width of its 95 % interval [-]", fmt::format("{} [{}]", y, y_unit),
                      fmt::format("half width of its 95 % interval [{}]", y_unit)},
                     {}};
-    for (const MeasuredPoint& point : measured_points(candidates[i].measurements, y, system_name)) {
-      if (candidates[i].runs == 0) continue;
-      // Those of one velocity stand side by side.
+    for (const MeasuredPoint& point : measured_points(candidates[i].measurements, y, bed.system)) {
       const double aside = 1.5e-3 * (static_cast<double>(i) - 0.5 * static_cast<double>(candidates.size() - 1));
       std::vector<double> row{point.superficial_velocity, point.superficial_velocity + aside, 0.0, point.value,
                               point.half_width};
       if (!x.empty()) {
-        const auto found = candidates[i].measurements.find(measure_key(x, system_name, point.superficial_velocity));
+        const auto found = candidates[i].measurements.find(measure_key(x, bed.system, point.superficial_velocity));
         if (found == candidates[i].measurements.end()) continue;
         row[1] = found->second.value;
         row[2] = found->second.half_width;
@@ -111,20 +157,21 @@ std::string simulated_points(const std::string& id, const std::vector<Candidate>
     }
     if (table.rows.empty()) continue;
     write_csv(table, folder);
-    const int style = line_style(i);
-    plot += fmt::format(", {}{}'{}.csv' skip 1 using 2:4 with points linestyle {} title {}",
-                        error_bars(table, {2, 4, 5}, "yerrorbars", style),
-                        x.empty() ? "" : error_bars(table, {2, 4, 3}, "xerrorbars", style), table.name, style,
-                        gnuplot_text(candidates[i].name));
+    tables.push_back(table.name);
+    titles.push_back(candidates[i].name);
+    styles.push_back(line_style(i));
   }
-  return plot;
+  values.files("simulated", tables, id);
+  values.texts("simulated_title", titles);
+  values.numbers("simulated_style", styles);
 }
 
-std::vector<Picture> draw_bed_pictures(const std::vector<Candidate>& candidates, const fs::path& folder) {
+std::vector<Picture> draw_bed_pictures(const std::vector<Candidate>& candidates, const ComparisonBed& bed,
+                                       const fs::path& folder) {
   if (std::ranges::all_of(candidates, [](const Candidate& candidate) { return candidate.runs == 0; })) return {};
   fs::create_directories(folder);
-  return {draw_classification(candidates, folder), draw_collision_force(candidates, folder),
-          draw_collision_frequency(candidates, folder)};
+  return {draw_classification(candidates, bed, folder), draw_collision_force(candidates, bed, folder),
+          draw_collision_frequency(candidates, bed, folder)};
 }
 
 }  // namespace slfb::compare

@@ -13,26 +13,12 @@
 namespace slfb::compare {
 namespace {
 
-constexpr const char* system_name = "6in5W";
-
 /// Whether a measure of the claim is taken in that run; "quantity/system" is taken in all runs of the system.
 bool asks_for(const Claim& claim, const RunSpec& run) {
   return std::ranges::any_of(claim.measures, [&](const MeasureKey& measure) {
     const bool of_all_runs = measure.subject == run.system && !measure.at && measure.detail.empty();
     return of_all_runs || measure == measure_key(measure.quantity, run.system, run.superficial_velocity, run.variant);
   });
-}
-
-std::vector<RunSpec> all_runs(Tier tier) {
-  std::vector<RunSpec> runs;
-  for (const RunSpec& run : load_profile("quick").runs)
-    if (run.system == system_name && run.variant.empty()) runs.push_back(run);
-  if (tier == Tier::three_dimensional) return runs;
-  for (RunSpec& run : runs) {
-    run.scene = "6in5W_one-dimensional.toml";
-    run.overrides = {fmt::format("liquid.superficial_velocity={} m/s", run.superficial_velocity)};
-  }
-  return runs;
 }
 
 RunSpec with(RunSpec run, const Candidate& candidate) {
@@ -59,9 +45,9 @@ int rank(Verdict verdict) { return verdict == Verdict::reproduced ? 2 : verdict 
 
 }  // namespace
 
-std::vector<Claim> claims_of_runs(const std::vector<std::string>& ids) {
+std::vector<Claim> claims_of_runs(const ComparisonBed& bed, const std::vector<std::string>& ids) {
   std::vector<Claim> claims;
-  for (const Claim& claim : load_claims())
+  for (const Claim& claim : bed.claims)
     if (std::ranges::any_of(claim.measures, needs_run)) claims.push_back(claim);
   for (const std::string& id : ids)
     if (std::ranges::none_of(claims, [&](const Claim& claim) { return claim.id.starts_with(id); })) {
@@ -79,11 +65,12 @@ std::vector<Claim> claims_of_runs(const std::vector<std::string>& ids) {
   return claims;
 }
 
-std::vector<RunSpec> runs_of(Tier tier, const std::vector<Claim>& claims, const std::vector<double>& velocities) {
+std::vector<RunSpec> runs_of(const ComparisonBed& bed, Tier tier, const std::vector<Claim>& claims,
+                             const std::vector<double>& velocities) {
   if (tier == Tier::correlation) return {};
-  const std::vector<RunSpec> available = all_runs(tier);
-  const std::vector<double> wanted =
-      velocities.empty() && tier == Tier::one_dimensional ? std::vector{0.06, 0.08, 0.10} : velocities;
+  const bool slice = tier == Tier::one_dimensional;
+  const std::vector<RunSpec>& available = slice ? bed.one_dimensional : bed.three_dimensional;
+  const std::vector<double>& wanted = velocities.empty() && slice ? bed.usual_velocities : velocities;
   const auto near = [](double a, double b) { return std::abs(a - b) < 1e-6; };
   std::vector<double> known;
   for (const RunSpec& run : available) known.push_back(run.superficial_velocity);

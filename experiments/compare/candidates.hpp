@@ -5,18 +5,19 @@
 #include <vector>
 
 #include "experiments/claims/claims.hpp"
+#include "experiments/compare/comparison_bed.hpp"
 #include "experiments/runs/campaign.hpp"
 #include "experiments/runs/run_campaign.hpp"
 
-/// The part of a comparison that does not care what is compared: the same simulations with one value of the scene
-/// exchanged, and the paper's claims side by side.
+/// The part of a comparison that does not depend on what is compared: the same simulations with some values of the
+/// scene exchanged, and the claims of the work side by side.
 namespace slfb::compare {
 
 /// How much a comparison computes.
 enum class Tier {
   correlation,        ///< nothing is simulated
   one_dimensional,    ///< a slice of the bed in a one-dimensional liquid
-  three_dimensional,  ///< the bed of the paper with the settings of the profile quick
+  three_dimensional,  ///< the bed itself
 };
 
 /// One of the things compared: what it is called and what it changes in a scene.
@@ -30,15 +31,18 @@ struct Candidate {
   double simulated_seconds = 0.0;  ///< simulated in them
 };
 
-/// The claims that begin with one of `ids` (all without any) and that a simulation answers. \throws
+/// The claims of the bed that begin with one of `ids` (all without any) and that a simulation answers. \throws
 /// std::invalid_argument where an id begins none of them
-std::vector<Claim> claims_of_runs(const std::vector<std::string>& ids);
+std::vector<Claim> claims_of_runs(const ComparisonBed& bed, const std::vector<std::string>& ids);
 
-/// The runs of a tier that the claims ask for, at `velocities` [m/s] (empty: those of the tier), without overrides of
-/// candidates. \throws std::invalid_argument where there is no run left, or no run at a velocity
-std::vector<RunSpec> runs_of(Tier tier, const std::vector<Claim>& claims, const std::vector<double>& velocities);
+/// The runs of a tier that the claims ask for, at `velocities` [m/s] (empty: the usual ones of the tier), without
+/// overrides of candidates. \throws std::invalid_argument where there is no run left, or no run at a velocity
+std::vector<RunSpec> runs_of(const ComparisonBed& bed, Tier tier, const std::vector<Claim>& claims,
+                             const std::vector<double>& velocities);
 
 /// Makes the runs for every candidate and fills in what is measured in them beside `measurements`, and what it costs.
+/// A run that fails or is interrupted is counted in the outcome; its candidate has fewer measurements. \throws
+/// SceneError where a candidate's overrides do not fit the scene
 CampaignOutcome simulate(std::vector<Candidate>& candidates, const std::vector<RunSpec>& runs,
                          const CampaignOptions& options);
 

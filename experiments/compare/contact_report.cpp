@@ -37,8 +37,8 @@ Section laws_section(const std::vector<ComparedContactLaw>& laws) {
 }
 
 Section collision_section(const std::vector<ComparedContactLaw>& laws, const std::vector<ContactFindings>& findings,
-                          const std::vector<Picture>& pictures) {
-  std::vector<std::string> headings{"Two 5 mm glass spheres at 0.1 m/s"};
+                          const ComparisonBed& bed, const std::vector<Picture>& pictures) {
+  std::vector<std::string> headings{escape_html(fmt::format("Two {} spheres at 0.1 m/s", bed.bed.words()))};
   for (const auto& law : laws) headings.push_back(escape_html(law.name));
   std::vector<std::vector<std::string>> rows;
   const auto add = [&](const std::string& what, auto value) {
@@ -72,17 +72,20 @@ Section collision_section(const std::vector<ComparedContactLaw>& laws, const std
 
 std::vector<Section> contact_sections(const std::vector<ComparedContactLaw>& laws,
                                       const std::vector<ContactFindings>& findings,
-                                      const std::vector<Candidate>& candidates, const std::filesystem::path& folder) {
-  const auto pictures = draw_contact_pictures(laws, findings, folder / "figures");
-  const auto of_bed = draw_bed_pictures(candidates, folder / "figures");
+                                      const std::vector<Candidate>& candidates, const ComparisonBed& bed,
+                                      const std::filesystem::path& folder) {
+  const auto pictures = draw_contact_pictures(laws, findings, bed, folder / "figures");
+  const auto of_bed = draw_bed_pictures(candidates, bed, folder / "figures");
   std::vector<std::vector<PropertyCheck>> properties;
   for (const ContactFindings& found : findings) properties.push_back(found.properties);
   std::vector<Section> sections{
-      laws_section(laws), collision_section(laws, findings, pictures),
-      property_section(names_of(laws), properties,
-                       "Looked for in collisions of glass on glass, steel on glass and glass on a wall, from 0.01 to 1 "
-                       "m/s, at angles up to 85 degrees. A law that lacks one is not useless, but it is used with open "
-                       "eyes.")};
+      laws_section(laws), collision_section(laws, findings, bed, pictures),
+      property_section(
+          names_of(laws), properties,
+          fmt::format("Looked for in collisions of {0} on {0}, {1} on {0} and {0} on a wall, from 0.01 to 1 "
+                      "m/s, at angles up to 85 degrees. A law that lacks one is not useless, but it is used with open "
+                      "eyes.",
+                      bed.bed.material, bed.foreign.material))};
   if (!of_bed.empty())
     sections.push_back(
         {"bed", "In the bed",

@@ -15,7 +15,6 @@
 #include <tuple>
 
 #include "experiments/figures/figure_support.hpp"
-#include "experiments/peng_2014/paper_conditions.hpp"
 #include "experiments/runs/run_files.hpp"
 #include "solver/dem/engine.hpp"
 #include "solver/dem/hertz_mindlin.hpp"
@@ -27,8 +26,6 @@ namespace {
 
 constexpr double usual_speed = 0.1;  ///< of the spheres of a bed, about [m/s]
 constexpr double grazing_angle = 80.0;
-
-Sphere glass() { return paper::glass(0.005); }
 
 double mass_of(const Sphere& sphere) { return sphere.density * dem::Particles::volume_of(0.5 * sphere.diameter); }
 
@@ -42,21 +39,21 @@ double effective_radius(const Impact& impact) {
   return impact.second ? dem::reduced_radius(radius, 0.5 * impact.second->diameter) : radius;
 }
 
-/// The pairs of the paper's bed: glass on glass, steel on glass, glass on a wall.
-std::array<Impact, 3> pairs(double speed) {
-  return {Impact{glass(), glass(), speed}, {paper::steel(0.006), glass(), speed}, {glass(), {}, speed}};
+/// The pairs of the bed: two of its spheres, the foreign sphere and one of them, one of them and a wall.
+std::array<Impact, 3> pairs(const ComparisonBed& bed, double speed) {
+  const Sphere& sphere = bed.bed.sphere;
+  return {Impact{sphere, sphere, speed}, {bed.foreign.sphere, sphere, speed}, {sphere, {}, speed}};
 }
 
-std::string words_of(const Impact& impact) {
-  return fmt::format("{} at {:.3g} m/s",
-                     !impact.second                                   ? "glass on a wall"
-                     : impact.first.density == impact.second->density ? "glass on glass"
-                                                                      : "steel on glass",
-                     impact.speed);
+std::string words_of(const Impact& impact, const ComparisonBed& bed) {
+  const auto& [sphere, material] = bed.bed;
+  const bool foreign = impact.first.density != sphere.density || impact.first.diameter != sphere.diameter;
+  return fmt::format("{} on {} at {:.3g} m/s", foreign ? bed.foreign.material : material,
+                     impact.second ? material : "a wall", impact.speed);
 }
 
-double modulus_of_equal_contact_time(const Contact& linear) {
-  const Impact impact = bed_impact();
+double modulus_of_equal_contact_time(const Contact& linear, const ComparisonBed& bed) {
+  const Impact impact = bed_impact(bed);
   const double mass = effective_mass(impact);
   const double wanted = dem::LinearSpringDashpot::contact_time(linear.stiffness, linear.restitution, mass);
   // The contact time goes with the modulus to the power −2/5.
@@ -76,12 +73,12 @@ Motion motion_of(const dem::Engine& engine) {
   const auto at = [](const dem::VectorField& field, std::size_t i) { return Vec3{field.x[i], field.y[i], field.z[i]}; };
   Motion motion;
   for (std::size_t i = 0; i < particles.size(); ++i) {
-    const Vec3 velocity = at(particles.velocity, i), spin = at(particles.angular_velocity, i);
+    const Vec3 velocity = at(particles.velocity, i), angular_velocity = at(particles.angular_velocity, i);
     const double mass = particles.mass[i], inertia = particles.inertia(i);
-    motion.energy += 0.5 * (mass * dot(velocity, velocity) + inertia * dot(spin, spin));
+    motion.energy += 0.5 * (mass * dot(velocity, velocity) + inertia * dot(angular_velocity, angular_velocity));
     motion.momentum = motion.momentum + mass * velocity;
     motion.angular_momentum =
-        motion.angular_momentum + mass * cross(at(particles.position, i), velocity) + inertia * spin;
+        motion.angular_momentum + mass * cross(at(particles.position, i), velocity) + inertia * angular_velocity;
   }
   return motion;
 }
@@ -90,10 +87,10 @@ double relative(const std::vector<double>& component) {
   return component.size() > 1 ? component[0] - component[1] : component[0];
 }
 
-/// The bodies of an impact along z, the first from above, `gap` apart.
-struct Stage {
-  Stage(const ComparedContactLaw& law, const Impact& impact, double time_step, double gap,
-        const std::optional<dem::Lubrication>& lubrication = {}) {
+/// The bodies of an impact along z, the first from above, `gap` [m] apart.
+struct TwoBodySetup {
+  TwoBodySetup(const ComparedContactLaw& law, const Impact& impact, double time_step, double gap,
+               const std::optional<dem::Lubrication>& lubrication = {}) {
     Contact contact = law.contact;
     contact.time_step = time_step;
     contact.rolling_friction = 0.0;
@@ -111,95 +108,89 @@ struct Stage {
     };
     add(impact.first, 0.5 * impact.first.diameter + gap, share);
     // The foot of the first moves with −ω_y r.
-    engine->particles.angular_velocity.y[0] = -impact.spin;
+    engine->particles.angular_velocity.y[0] = -impact.angular_speed;
     if (impact.second) add(*impact.second, -0.5 * impact.second->diameter, share - 1.0);
   }
   std::unique_ptr<dem::Engine> engine;
 };
 
-std::string at_speed(double value, const Impact& impact) {
-  return fmt::format("{:.4g} for {}", value, words_of(impact));
+std::string at_speed(double value, const Impact& impact, const ComparisonBed& bed) {
+  return fmt::format("{:.4g} for {}", value, words_of(impact, bed));
 }
 
-/// The largest value met and where.
-struct Extreme {
-  double value = -std::numeric_limits<double>::infinity();
-  std::string place;
-  void meet(double candidate, const std::string& where) {
-    if (candidate <= value) return;  // what is no number counts
-    value = candidate;
-    place = where;
-  }
-};
-
-Rebound resolved(const ComparedContactLaw& law, const Impact& impact) {
+/// With steps small enough to show the law itself.
+Rebound resolved(const ComparedContactLaw& law, const ComparisonBed& bed, const Impact& impact) {
   Rebound rebound = collide(law, impact, resolving_step(law, impact));
-  if (!rebound.parted) throw std::runtime_error(fmt::format("{}: {} do not part again", law.name, words_of(impact)));
+  if (!rebound.parted)
+    throw std::runtime_error(fmt::format("{}: {} do not part again", law.name, words_of(impact, bed)));
   return rebound;
 }
 
 // Round-off of thousands of steps, and nothing more.
 constexpr double round_off = 1e-9;
 
-PropertyCheck check_energy(const ComparedContactLaw& law) {
-  Extreme worst;
+PropertyCheck check_energy(const ComparedContactLaw& law, const ComparisonBed& bed) {
+  LargestValue worst;
   for (const double speed : impact_speeds())
-    for (const Impact& impact : pairs(speed)) worst.meet(resolved(law, impact).energy, words_of(impact));
+    for (const Impact& impact : pairs(bed, speed))
+      worst.update(resolved(law, bed, impact).energy, words_of(impact, bed));
   return {"A head-on collision gives no energy", worst.value <= 1.0 + round_off,
-          fmt::format("after over before at most {:.4g}, {}", worst.value, worst.place)};
+          fmt::format("after over before at most {:.4g}, {}", worst.value, worst.where)};
 }
 
-PropertyCheck check_oblique_energy(const ComparedContactLaw& law) {
-  Extreme worst;
-  for (const bool spins : {false, true})
+PropertyCheck check_oblique_energy(const ComparedContactLaw& law, const ComparisonBed& bed) {
+  LargestValue worst;
+  for (const bool rotating : {false, true})
     for (double degrees = 10.0; degrees < 90.0; degrees += 10.0) {
-      Impact impact = oblique_impact(degrees);
-      if (spins) impact.spin = impact.tangential_speed / (0.5 * impact.first.diameter);  // doubles the slip
-      worst.meet(resolved(law, impact).energy, fmt::format("{} degrees{}", degrees, spins ? " with spin" : ""));
+      Impact impact = oblique_impact(bed, degrees);
+      if (rotating) impact.angular_speed = impact.tangential_speed / (0.5 * impact.first.diameter);  // doubles the slip
+      worst.update(resolved(law, bed, impact).energy,
+                   fmt::format("{} degrees{}", degrees, rotating ? " with spin" : ""));
     }
   return {"An oblique one neither, spin counted", worst.value <= 1.0 + round_off,
-          fmt::format("after over before at most {:.4g}, {}", worst.value, worst.place)};
+          fmt::format("after over before at most {:.4g}, {}", worst.value, worst.where)};
 }
 
-PropertyCheck check_energy_at_step(const ComparedContactLaw& law) {
-  Extreme worst;
+PropertyCheck check_energy_at_step(const ComparedContactLaw& law, const ComparisonBed& bed) {
+  LargestValue worst;
   for (int phase = 0; phase < 16; ++phase)
     for (double degrees = 0.0; degrees < 90.0; degrees += 10.0) {
-      const Rebound rebound = collide(law, oblique_impact(degrees), law.contact.time_step, (phase + 0.5) / 16.0);
-      worst.meet(rebound.parted ? rebound.energy : std::numeric_limits<double>::infinity(),
-                 fmt::format("{} degrees", degrees));
+      const Rebound rebound = collide(law, oblique_impact(bed, degrees), law.contact.time_step, (phase + 0.5) / 16.0);
+      worst.update(rebound.parted ? rebound.energy : std::numeric_limits<double>::infinity(),
+                   fmt::format("{} degrees", degrees));
     }
   return {
       "Nor does the step of the scene", worst.value <= 1.0 + round_off,
-      fmt::format("after over before at most {:.4g} at {:.3g} s, {}", worst.value, law.contact.time_step, worst.place)};
+      fmt::format("after over before at most {:.4g} at {:.3g} s, {}", worst.value, law.contact.time_step, worst.where)};
 }
 
-PropertyCheck check_restitution(const ComparedContactLaw& law) {
-  Extreme worst;
+PropertyCheck check_restitution(const ComparedContactLaw& law, const ComparisonBed& bed) {
+  LargestValue worst;
   for (const double speed : impact_speeds())
-    for (const Impact& impact : pairs(speed)) {
-      const double restitution = resolved(law, impact).restitution;
-      worst.meet(std::abs(restitution - law.contact.restitution), at_speed(restitution, impact));
+    for (const Impact& impact : pairs(bed, speed)) {
+      const double restitution = resolved(law, bed, impact).restitution;
+      worst.update(std::abs(restitution - law.contact.restitution), at_speed(restitution, impact, bed));
     }
   return {"The restitution is contact.restitution within 0.01, at any speed", worst.value < 0.01,
-          fmt::format("{} asked for; {}", law.contact.restitution, worst.place)};
+          fmt::format("{} asked for; {}", law.contact.restitution, worst.where)};
 }
 
-PropertyCheck check_step(const ComparedContactLaw& law) {
-  Extreme worst;
-  for (const Impact& impact : pairs(usual_speed)) {
-    const double true_value = resolved(law, impact).restitution;
+PropertyCheck check_step(const ComparedContactLaw& law, const ComparisonBed& bed) {
+  LargestValue worst;
+  for (const Impact& impact : pairs(bed, usual_speed)) {
+    const double true_value = resolved(law, bed, impact).restitution;
     const RestitutionAtStep found = restitution_at_step(law, impact);
     for (const double value : {found.lowest, found.highest})
-      worst.meet(std::abs(value - true_value),
-                 fmt::format("{}, {:.4g} with small steps", at_speed(value, impact), true_value));
+      worst.update(std::abs(value - true_value),
+                   fmt::format("{}, {:.4g} with small steps", at_speed(value, impact, bed), true_value));
   }
-  return {"The step of the scene changes the restitution by less than 0.02", worst.value < 0.02, worst.place};
+  return {"The step of the scene changes the restitution by less than 0.02", worst.value < 0.02, worst.where};
 }
 
 /// Overlaps over the effective radius, from a hair to a tenth, and the law there at one speed of approach [m/s].
-std::vector<std::pair<double, dem::NormalContact>> normal_forces(const ComparedContactLaw& law, double approach) {
-  const Impact impact = bed_impact();
+std::vector<std::pair<double, dem::NormalContact>> normal_forces(const ComparedContactLaw& law,
+                                                                 const ComparisonBed& bed, double approach) {
+  const Impact impact = bed_impact(bed);
   Contact contact = law.contact;
   contact.time_step = 1e-6 * resolving_step(law, impact);  // laws may look half a step ahead
   std::vector<std::pair<double, dem::NormalContact>> points;
@@ -211,9 +202,9 @@ std::vector<std::pair<double, dem::NormalContact>> normal_forces(const ComparedC
   return points;
 }
 
-void require_numbers(const ComparedContactLaw& law) {
+void require_numbers(const ComparedContactLaw& law, const ComparisonBed& bed) {
   for (const double approach : {0.0, usual_speed, -usual_speed})
-    for (const auto& [overlap, contact] : normal_forces(law, approach))
+    for (const auto& [overlap, contact] : normal_forces(law, bed, approach))
       for (const double value :
            {contact.force, contact.load, contact.stiffness, contact.tangential_stiffness, contact.tangential_damping})
         if (!std::isfinite(value))
@@ -223,8 +214,8 @@ void require_numbers(const ComparedContactLaw& law) {
               law.argument, contact.force, contact.load, contact.stiffness, overlap, approach));
 }
 
-PropertyCheck check_push(const ComparedContactLaw& law) {
-  const auto points = normal_forces(law, 0.0);
+PropertyCheck check_push(const ComparedContactLaw& law, const ComparisonBed& bed) {
+  const auto points = normal_forces(law, bed, 0.0);
   const double start = points.front().second.force / points.back().second.force;
   for (std::size_t i = 0; i < points.size(); ++i) {
     const double before = i == 0 ? 0.0 : points[i - 1].second.force;
@@ -237,10 +228,10 @@ PropertyCheck check_push(const ComparedContactLaw& law) {
           fmt::format("{:.2g} of the force at R*/10 where they touch", start)};
 }
 
-PropertyCheck check_slope(const ComparedContactLaw& law) {
-  const auto points = normal_forces(law, 0.0);
-  const double radius = effective_radius(bed_impact());
-  Extreme worst;
+PropertyCheck check_slope(const ComparedContactLaw& law, const ComparisonBed& bed) {
+  const auto points = normal_forces(law, bed, 0.0);
+  const double radius = effective_radius(bed_impact(bed));
+  LargestValue worst;
   // Each power law between two neighbours has its slope in the middle.
   for (std::size_t i = 1; i < points.size(); ++i) {
     const auto& [lower, before] = points[i - 1];
@@ -249,50 +240,50 @@ PropertyCheck check_slope(const ComparedContactLaw& law) {
     const double slope = power * std::sqrt(before.force * after.force) / std::sqrt(lower * upper) / radius;
     const double stated = std::sqrt(before.stiffness * after.stiffness);
     const double off = std::abs(stated / slope - 1.0);
-    worst.meet(std::isfinite(off) ? off : std::numeric_limits<double>::infinity(),
-               fmt::format("at an overlap of {:.2g} R*", std::sqrt(lower * upper)));
+    worst.update(std::isfinite(off) ? off : std::numeric_limits<double>::infinity(),
+                 fmt::format("at an overlap of {:.2g} R*", std::sqrt(lower * upper)));
   }
   return {"The stiffness it states, from which the bound of the step comes, is the slope of its force",
-          worst.value < 0.01, fmt::format("off by at most {:.2g} {}", worst.value, worst.place)};
+          worst.value < 0.01, fmt::format("off by at most {:.2g} {}", worst.value, worst.where)};
 }
 
-PropertyCheck check_friction(const ComparedContactLaw& law) {
-  Extreme worst;
+PropertyCheck check_friction(const ComparedContactLaw& law, const ComparisonBed& bed) {
+  LargestValue worst;
   for (double degrees = 5.0; degrees < 90.0; degrees += 5.0)
-    worst.meet(resolved(law, oblique_impact(degrees)).friction, fmt::format("at {} degrees", degrees));
+    worst.update(resolved(law, bed, oblique_impact(bed, degrees)).friction, fmt::format("at {} degrees", degrees));
   return {"Friction carries at most the sliding friction times the normal impulse",
           worst.value <= 1.005 * law.contact.sliding_friction,
-          fmt::format("{:.4g} {} under a friction of {}", worst.value, worst.place, law.contact.sliding_friction)};
+          fmt::format("{:.4g} {} under a friction of {}", worst.value, worst.where, law.contact.sliding_friction)};
 }
 
-PropertyCheck check_grazing(const ComparedContactLaw& law) {
-  const double found = resolved(law, oblique_impact(grazing_angle)).friction;
+PropertyCheck check_grazing(const ComparedContactLaw& law, const ComparisonBed& bed) {
+  const double found = resolved(law, bed, oblique_impact(bed, grazing_angle)).friction;
   return {
       "A grazing impact (80 degrees) slides all along",
       std::abs(found - law.contact.sliding_friction) <= 0.01 * law.contact.sliding_friction,
       fmt::format("tangential over normal impulse {:.4g} under a friction of {}", found, law.contact.sliding_friction)};
 }
 
-PropertyCheck check_momentum(const ComparedContactLaw& law) {
-  Extreme worst;
-  for (Impact impact : pairs(usual_speed)) {
+PropertyCheck check_momentum(const ComparedContactLaw& law, const ComparisonBed& bed) {
+  LargestValue worst;
+  for (Impact impact : pairs(bed, usual_speed)) {
     if (!impact.second) continue;
     impact.tangential_speed = usual_speed;
-    impact.spin = 10.0;
-    worst.meet(resolved(law, impact).momentum_error, words_of(impact));
+    impact.angular_speed = 10.0;
+    worst.update(resolved(law, bed, impact).momentum_error, words_of(impact, bed));
   }
   return {"Momentum and angular momentum are kept to round-off", worst.value < round_off,
-          fmt::format("off by {:.1g}, {}", worst.value, worst.place)};
+          fmt::format("off by {:.1g}, {}", worst.value, worst.where)};
 }
 
-PropertyCheck check_memory(const ComparedContactLaw& law) {
+PropertyCheck check_memory(const ComparedContactLaw& law, const ComparisonBed& bed) {
   const auto bits = [&](const Impact& impact) {
-    const Rebound rebound = resolved(law, impact);
-    return std::tuple(rebound.restitution, rebound.tangential_speed, rebound.spin, rebound.force);
+    const Rebound rebound = resolved(law, bed, impact);
+    return std::tuple(rebound.restitution, rebound.tangential_speed, rebound.angular_speed, rebound.force);
   };
-  const Impact impact = oblique_impact(45.0);
+  const Impact impact = oblique_impact(bed, 45.0);
   const auto before = bits(impact);
-  static_cast<void>(bits(oblique_impact(70.0)));
+  static_cast<void>(bits(oblique_impact(bed, 70.0)));
   const bool same = bits(impact) == before;
   return {"It remembers nothing of other contacts: the same collision twice is the same to the last bit", same,
           same ? "the same" : "differs after another collision"};
@@ -300,7 +291,8 @@ PropertyCheck check_memory(const ComparedContactLaw& law) {
 
 }  // namespace
 
-std::vector<ComparedContactLaw> compared_contact_laws(const std::vector<std::string>& arguments, const RunSpec& run) {
+std::vector<ComparedContactLaw> compared_contact_laws(const std::vector<std::string>& arguments, const RunSpec& run,
+                                                      const ComparisonBed& bed) {
   const Contact of_scene = load_run_scene(run).contact;
   std::vector<ComparedContactLaw> laws;
   std::set<std::string> names;
@@ -326,7 +318,7 @@ std::vector<ComparedContactLaw> compared_contact_laws(const std::vector<std::str
     }
     if (law == "hertz" && !has_modulus && of_scene.law == "linear")
       compared.overrides.push_back(
-          fmt::format("contact.youngs_modulus={:.3g} Pa", modulus_of_equal_contact_time(of_scene)));
+          fmt::format("contact.youngs_modulus={:.3g} Pa", modulus_of_equal_contact_time(of_scene, bed)));
     if (!names.insert(compared.name).second)
       throw std::runtime_error(
           fmt::format("{}: \"{}\" is compared twice; each law needs a name of its own", argument, compared.name));
@@ -338,10 +330,10 @@ std::vector<ComparedContactLaw> compared_contact_laws(const std::vector<std::str
   return laws;
 }
 
-Impact bed_impact(double speed) { return pairs(speed)[0]; }
+Impact bed_impact(const ComparisonBed& bed, double speed) { return pairs(bed, speed)[0]; }
 
-Impact oblique_impact(double degrees) {
-  Impact impact{glass(), {}, usual_speed};
+Impact oblique_impact(const ComparisonBed& bed, double degrees) {
+  Impact impact{bed.bed.sphere, {}, usual_speed};
   impact.tangential_speed = usual_speed * std::tan(degrees * std::numbers::pi / 180.0);
   return impact;
 }
@@ -353,8 +345,8 @@ double resolving_step(const ComparedContactLaw& law, const Impact& impact) {
 }
 
 Rebound collide(const ComparedContactLaw& law, const Impact& impact, double time_step, double phase) {
-  const Stage stage(law, impact, time_step, (2.0 + phase) * time_step * impact.speed);
-  dem::Engine& engine = *stage.engine;
+  const TwoBodySetup setup(law, impact, time_step, (2.0 + phase) * time_step * impact.speed);
+  dem::Engine& engine = *setup.engine;
   const Motion before = motion_of(engine);
   const double radius = effective_radius(impact),
                smaller = 0.5 * std::min(impact.first.diameter,
@@ -382,7 +374,7 @@ Rebound collide(const ComparedContactLaw& law, const Impact& impact, double time
   const Motion after = motion_of(engine);
   rebound.restitution = relative(engine.particles.velocity.z) / impact.speed;
   rebound.tangential_speed = relative(engine.particles.velocity.x);
-  rebound.spin = engine.particles.angular_velocity.y[0];
+  rebound.angular_speed = engine.particles.angular_velocity.y[0];
   rebound.duration = static_cast<double>(rebound.time.size()) * time_step;
   rebound.energy = after.energy / before.energy;
   rebound.friction = normal_impulse > 0.0 ? tangential_impulse / normal_impulse : 0.0;
@@ -405,20 +397,21 @@ RestitutionAtStep restitution_at_step(const ComparedContactLaw& law, const Impac
   return found;
 }
 
-ContactFindings find_out(const ComparedContactLaw& law) try {
-  require_numbers(law);
+ContactFindings characterise(const ComparedContactLaw& law, const ComparisonBed& bed) try {
+  require_numbers(law, bed);
   ContactFindings findings;
   for (const double speed : impact_speeds()) {
-    findings.head_on.push_back(resolved(law, bed_impact(speed)));
-    findings.at_step.push_back(restitution_at_step(law, bed_impact(speed)));
+    findings.head_on.push_back(resolved(law, bed, bed_impact(bed, speed)));
+    findings.at_step.push_back(restitution_at_step(law, bed_impact(bed, speed)));
   }
-  findings.usual = resolved(law, bed_impact());
-  findings.usual_at_step = restitution_at_step(law, bed_impact());
-  for (const double degrees : impact_angles()) findings.oblique.push_back(resolved(law, oblique_impact(degrees)));
-  for (const double speed : wet_speeds()) findings.wet.push_back(wet_restitution(law, speed));
-  findings.stability_limit = stability_limit(law, bed_impact(), findings.usual.overlap);
-  findings.seconds_per_contact = seconds_per_contact(law);
-  findings.properties = check_properties(law);
+  findings.usual = resolved(law, bed, bed_impact(bed));
+  findings.usual_at_step = restitution_at_step(law, bed_impact(bed));
+  for (const double degrees : impact_angles())
+    findings.oblique.push_back(resolved(law, bed, oblique_impact(bed, degrees)));
+  for (const double speed : wet_speeds()) findings.wet.push_back(wet_restitution(law, bed, speed));
+  findings.stability_limit = stability_limit(law, bed_impact(bed), findings.usual.overlap);
+  findings.seconds_per_contact = seconds_per_contact(law, bed);
+  findings.properties = check_properties(law, bed);
   return findings;
 } catch (const dem::EngineError& error) {
   throw std::runtime_error(fmt::format("{}: two bodies that meet: {}", law.argument, error.what()));
@@ -448,33 +441,38 @@ std::vector<double> impact_speeds() {
   return speeds;
 }
 
-std::vector<PropertyCheck> check_properties(const ComparedContactLaw& law) {
-  return {check_energy(law),  check_oblique_energy(law), check_energy_at_step(law), check_restitution(law),
-          check_step(law),    check_push(law),           check_slope(law),          check_friction(law),
-          check_grazing(law), check_momentum(law),       check_memory(law)};
+std::vector<PropertyCheck> check_properties(const ComparedContactLaw& law, const ComparisonBed& bed) {
+  return {check_energy(law, bed),      check_oblique_energy(law, bed), check_energy_at_step(law, bed),
+          check_restitution(law, bed), check_step(law, bed),           check_push(law, bed),
+          check_slope(law, bed),       check_friction(law, bed),       check_grazing(law, bed),
+          check_momentum(law, bed),    check_memory(law, bed)};
 }
 
-LubricationGaps lubrication_gaps() { return {0.1 * glass().diameter, Coupling{}.lubrication_roughness}; }
+LubricationGaps lubrication_gaps(const ComparisonBed& bed) {
+  return {0.1 * bed.bed.sphere.diameter, Coupling{}.lubrication_roughness};
+}
 
-double wet_restitution(const ComparedContactLaw& law, double speed) {
-  const Impact impact{glass(), {}, speed};
-  const auto [outer, inner] = lubrication_gaps();
+double wet_restitution(const ComparedContactLaw& law, const ComparisonBed& bed, double speed) {
+  const Impact impact{bed.bed.sphere, {}, speed};
+  const auto [outer, inner] = lubrication_gaps(bed);
   const double step = 10.0 * resolving_step(law, impact);
-  Stage stage(law, impact, step, outer, dem::Lubrication{paper::water().viscosity, inner, outer});
-  const auto& particles = stage.engine->particles;
+  TwoBodySetup setup(law, impact, step, outer, dem::Lubrication{bed.liquid.viscosity, inner, outer});
+  const auto& particles = setup.engine->particles;
   const double away = 0.5 * impact.first.diameter + outer;
   // At a thousandth of its speed it would need a thousand times as long: it has come to rest.
   const auto longest = static_cast<std::int64_t>(1000.0 * outer / (speed * step));
   for (std::int64_t done = 0; done < longest; done += 10) {
-    stage.engine->advance(10);
+    setup.engine->advance(10);
     const double velocity = particles.velocity.z[0];
-    if (velocity > 0.0 && particles.position.z[0] > away) return velocity / (speed * resolved(law, impact).restitution);
+    if (velocity > 0.0 && particles.position.z[0] > away)
+      return velocity / (speed * resolved(law, bed, impact).restitution);
     if (std::abs(velocity) < 1e-3 * speed && particles.position.z[0] > 0.5 * impact.first.diameter) break;
   }
   return 0.0;
 }
 
-std::vector<std::string> uses_outside_range(const ComparedContactLaw& law, const Measurements& measured) {
+std::vector<std::string> uses_outside_range(const ComparedContactLaw& law, const ComparisonBed& bed,
+                                            const Measurements& measured) {
   const Range& range = law.law.info.overlap;
   std::vector<std::string> sentences;
   const auto look = [&](double overlap, const std::string& where) {
@@ -482,20 +480,20 @@ std::vector<std::string> uses_outside_range(const ComparedContactLaw& law, const
       sentences.push_back(fmt::format("{} {:.2g} R*; the law is meant for at most {:g}", where, overlap, range.upper));
   };
   for (const double speed : {usual_speed, 1.0}) {
-    const Impact impact = bed_impact(speed);
-    look(resolved(law, impact).overlap, words_of(impact) + ": overlap of");
+    const Impact impact = bed_impact(bed, speed);
+    look(resolved(law, bed, impact).overlap, words_of(impact, bed) + ": overlap of");
   }
   // Recorded over the radius, of which a wall makes all the effective one and an equal sphere half.
-  for (const MeasuredPoint& point : measured_points(measured, "maximum_overlap_mean", "6in5W"))
+  for (const MeasuredPoint& point : measured_points(measured, "maximum_overlap_mean", bed.system))
     look(2.0 * point.value, fmt::format("Runs at {:.2f} m/s: deepest overlap in the bed, mean over time, up to",
                                         point.superficial_velocity));
   return sentences;
 }
 
-double seconds_per_contact(const ComparedContactLaw& law) {
+double seconds_per_contact(const ComparedContactLaw& law, const ComparisonBed& bed) {
   using Clock = std::chrono::steady_clock;
   const auto batch = std::make_unique<dem::ContactBatch>();
-  const Impact impact = bed_impact();
+  const Impact impact = bed_impact(bed);
   const double radius = 0.5 * impact.first.diameter;
   for (std::size_t k = 0; k < dem::ContactBatch::capacity; ++k) {
     batch->radius_i(k) = batch->radius_j(k) = radius;

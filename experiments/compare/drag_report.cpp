@@ -2,12 +2,12 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "correlations/drag/drag_laws.hpp"
 #include "experiments/compare/drag_figures.hpp"
-#include "experiments/peng_2014/paper_conditions.hpp"
 #include "reports/html.hpp"
 #include "solver/laws/user_law.hpp"
 
@@ -16,14 +16,7 @@ namespace {
 
 using nlohmann::ordered_json;
 
-/// Velocities at which the homogeneous bed is tabulated: the slow end, the middle and the fast end of what is compared
-/// [m/s].
-constexpr std::array shown_velocities{0.06, 0.08, 0.10};
-
-std::string range_text(const Range& range) {
-  if (std::isinf(range.upper)) return range.lower == 0.0 ? "any" : "≥ " + readable_number(range.lower);
-  return readable_number(range.lower) + " … " + readable_number(range.upper);
-}
+std::string range_text(const Range& range) { return readable_range(range.lower, range.upper); }
 
 std::vector<std::string> names_of(const std::vector<ComparedDragLaw>& laws) {
   std::vector<std::string> names;
@@ -63,59 +56,62 @@ Section ratio_section(const std::vector<ComparedDragLaw>& laws) {
               table_html(headings, rows)};
 }
 
+/// The number printed for that superficial velocity; a dash without one.
+std::string printed(const PrintedSeries& series, double superficial_velocity) {
+  const auto found = std::ranges::find_if(series.points, [&](const PrintedPoint& point) {
+    return std::abs(point.superficial_velocity - superficial_velocity) < 1e-9;
+  });
+  return found == series.points.end() ? "–" : readable_number(found->value);
+}
+
 Section bed_section(const std::vector<ComparedDragLaw>& laws, const std::vector<DragFindings>& findings,
-                    const std::string& pictures) {
-  std::vector<std::string> headings{"5 mm glass, 6 mm steel, water", "Paper"};
+                    const ComparisonBed& bed, const std::string& pictures) {
+  std::vector<std::string> headings{
+      escape_html(fmt::format("{}, {}, {}", bed.bed.words(), bed.foreign.words(), bed.liquid_name)), "Paper"};
   for (const auto& compared : laws) headings.push_back(escape_html(compared.name()));
-  const auto with_paper = [](const char* id) {
-    const auto& values = peng_2014().values();
-    const auto found = values.find(id);
-    return found == values.end() ? std::string("–") : readable_number(found->second.value);
-  };
   const auto answer = [](double value, bool in_range) {
     return readable_number(value) +
            (std::isnan(value) || in_range ? "" : "<span class=\"id\">outside its range</span>");
   };
-  std::vector<std::vector<std::string>> rows{{"Minimum fluidisation velocity [m/s]", with_paper("umf_crossing")}};
+  std::vector<std::vector<std::string>> rows{
+      {"Minimum fluidisation velocity [m/s]",
+       bed.minimum_fluidisation ? readable_number(*bed.minimum_fluidisation) : "–"}};
   for (std::size_t i = 0; i < laws.size(); ++i) {
     const double velocity = findings[i].minimum_fluidisation;
-    rows.back().push_back(answer(velocity, bed_in_range(laws[i].law, paper::packed_voidage(), velocity)));
+    rows.back().push_back(answer(velocity, bed_in_range(laws[i].law, bed, bed.packed_voidage, velocity)));
   }
-  for (const double velocity : shown_velocities) {
+  for (const double velocity : bed.tabulated_velocities) {
     std::vector<std::string> voidages{fmt::format("Voidage at {:.2f} m/s [-]", velocity),
-                                      with_paper(fmt::format("figure13/voidage/{:.2f}", velocity).c_str())};
-    std::vector<std::string> falls{prose_html(fmt::format("V_2 at {:.2f} m/s by force balance [m/s]", velocity)),
-                                   with_paper(fmt::format("table2/classification_velocity/{:.2f}", velocity).c_str())};
+                                      printed(bed.expansion, velocity)};
+    std::vector<std::string> classification{
+        prose_html(fmt::format("V_2 at {:.2f} m/s by force balance [m/s]", velocity)),
+        printed(bed.classification, velocity)};
     for (const auto& compared : laws) {
-      const HomogeneousBed bed = homogeneous_bed(compared.law, velocity);
-      voidages.push_back(answer(bed.voidage, bed.bed_in_range));
-      falls.push_back(answer(bed.classification_velocity, bed.in_range));
+      const HomogeneousBed found = homogeneous_bed(compared.law, bed, velocity);
+      voidages.push_back(answer(found.voidage, found.bed_in_range));
+      classification.push_back(answer(found.classification_velocity, found.in_range));
     }
     rows.push_back(std::move(voidages));
-    rows.push_back(std::move(falls));
+    rows.push_back(std::move(classification));
   }
   return {"bed", "The homogeneous bed",
-          "<p>What the law alone makes of the paper's bed, without a simulation: the velocity that carries the packed "
-          "bed, the voidage at which drag balances weight, and the fall of the steel sphere when nothing but drag and "
-          "the pressure gradient carry it. A dash: the law has no steady bed there.</p>\n" +
+          fmt::format("<p>What the law alone makes of the paper's bed, without a simulation: the velocity that carries "
+                      "the packed bed, the voidage at which drag balances weight, and the fall of the {} sphere when "
+                      "nothing but drag and the pressure gradient carry it. A dash: the law has no steady bed "
+                      "there.</p>\n",
+                      escape_html(bed.foreign.material)) +
               table_html(headings, rows) + pictures};
 }
 
 }  // namespace
 
-std::vector<DragFindings> find_out(const std::vector<ComparedDragLaw>& laws) {
-  std::vector<DragFindings> findings;
-  for (const auto& compared : laws)
-    findings.push_back({check_properties(compared.law), bed_velocity(compared.law, paper::packed_voidage()),
-                        seconds_per_evaluation(compared.law)});
-  return findings;
-}
-
 std::vector<Section> drag_sections(const std::vector<ComparedDragLaw>& laws, const std::vector<DragFindings>& findings,
-                                   const std::vector<Candidate>& candidates, const std::filesystem::path& folder) {
-  std::vector<Picture> pictures = draw_drag_pictures(laws, candidates, folder / "figures");
+                                   const std::vector<Candidate>& candidates, const ComparisonBed& bed,
+                                   const std::filesystem::path& folder) {
+  std::vector<Picture> pictures = draw_drag_pictures(laws, candidates, bed, folder / "figures");
   const auto of_bed = pictures.end() - 2;
-  const std::string surfaces = pictures_html({pictures.begin(), of_bed}), bed = pictures_html({of_bed, pictures.end()});
+  const std::string surfaces = pictures_html({pictures.begin(), of_bed});
+  const std::string bed_pictures = pictures_html({of_bed, pictures.end()});
   std::vector<std::vector<PropertyCheck>> properties;
   for (const DragFindings& finding : findings) properties.push_back(finding.properties);
   return {laws_section(laws),
@@ -124,7 +120,7 @@ std::vector<Section> drag_sections(const std::vector<ComparedDragLaw>& laws, con
           property_section(names_of(laws), properties,
                            "Looked for on a grid in the range that the law states for itself. A law that lacks one is "
                            "not useless, but it is used with open eyes."),
-          bed_section(laws, findings, bed)};
+          bed_section(laws, findings, bed, bed_pictures)};
 }
 
 std::string evaluation_cost_html(const std::vector<ComparedDragLaw>& laws, const std::vector<DragFindings>& findings) {
@@ -134,7 +130,8 @@ std::string evaluation_cost_html(const std::vector<ComparedDragLaw>& laws, const
                    seconds);
 }
 
-ordered_json drag_json(const std::vector<ComparedDragLaw>& laws, const std::vector<DragFindings>& findings) {
+ordered_json drag_json(const std::vector<ComparedDragLaw>& laws, const std::vector<DragFindings>& findings,
+                       const ComparisonBed& bed) {
   const auto number = [](double value) { return std::isfinite(value) ? ordered_json(value) : ordered_json(nullptr); };
   ordered_json answer = ordered_json::array();
   for (std::size_t i = 0; i < laws.size(); ++i) {
@@ -144,12 +141,12 @@ ordered_json drag_json(const std::vector<ComparedDragLaw>& laws, const std::vect
                      {"minimum_fluidisation_velocity", number(findings[i].minimum_fluidisation)}};
     for (const auto& check : findings[i].properties)
       law["properties"].push_back({{"property", check.property}, {"holds", check.holds}, {"found", check.found}});
-    for (const double velocity : shown_velocities) {
-      const HomogeneousBed bed = homogeneous_bed(laws[i].law, velocity);
+    for (const double velocity : bed.tabulated_velocities) {
+      const HomogeneousBed found = homogeneous_bed(laws[i].law, bed, velocity);
       law["bed"].push_back({{"superficial_velocity", velocity},
-                            {"voidage", number(bed.voidage)},
-                            {"classification_velocity", number(bed.classification_velocity)},
-                            {"in_range", bed.in_range}});
+                            {"voidage", number(found.voidage)},
+                            {"classification_velocity", number(found.classification_velocity)},
+                            {"in_range", found.in_range}});
     }
     for_each_law<drag::DragLaws>([&](const auto& other) {
       const DragRatio ratio = drag_ratio(laws[i].law, drag::kernels_of<std::decay_t<decltype(other)>>());

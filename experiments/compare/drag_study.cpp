@@ -14,7 +14,6 @@
 #include "correlations/drag/single_sphere/brown_lawler_2003.hpp"
 #include "correlations/fluidisation/bed_expansion.hpp"
 #include "experiments/figures/figure_support.hpp"
-#include "experiments/peng_2014/paper_conditions.hpp"
 #include "experiments/runs/measure.hpp"
 #include "solver/laws/user_law.hpp"
 
@@ -42,17 +41,6 @@ void for_range(const LawInfo& info, Use use) {
 }
 
 std::string at(double voidage, double reynolds) { return fmt::format("at e = {:.3g}, Re = {:.3g}", voidage, reynolds); }
-
-/// The largest value met and where.
-struct Extreme {
-  double value = -std::numeric_limits<double>::infinity();
-  std::string place;
-  void meet(double candidate, double voidage, double reynolds) {
-    if (!(candidate > value)) return;
-    value = candidate;
-    place = at(voidage, reynolds);
-  }
-};
 
 /// Largest jump of F along a line, relative: what is left of the change between two points of the grid when the
 /// interval between them is halved again and again.
@@ -87,49 +75,49 @@ PropertyCheck check_stokes_limit(const drag::DragLawKernels& law) {
 
 PropertyCheck check_single_sphere(const drag::DragLawKernels& law) {
   const drag::single_sphere::BrownLawler2003 standard;
-  Extreme worst;
+  LargestValue worst;
   for (const double reynolds : inside(drag_grid().reynolds, law.info.reynolds))
-    worst.meet(std::abs(law({1.0, reynolds}) / standard(reynolds) - 1.0), 1.0, reynolds);
+    worst.update(std::abs(law({1.0, reynolds}) / standard(reynolds) - 1.0), at(1.0, reynolds));
   return {"A sphere alone has the standard drag curve (Brown & Lawler 2003) within 15 %", worst.value < 0.15,
-          fmt::format("{:.1f} % off {}", 100.0 * worst.value, worst.place)};
+          fmt::format("{:.1f} % off {}", 100.0 * worst.value, worst.where)};
 }
 
 PropertyCheck check_crowding(const drag::DragLawKernels& law) {
   const DragGrid grid = drag_grid();
-  Extreme worst;
+  LargestValue worst;
   for (std::size_t i = 1; i < grid.voidage.size(); ++i)
     for (const double reynolds : grid.reynolds)
       if (in_range(law.info, grid.voidage[i], reynolds) && in_range(law.info, grid.voidage[i - 1], reynolds))
-        worst.meet(law({grid.voidage[i], reynolds}) / law({grid.voidage[i - 1], reynolds}) - 1.0, grid.voidage[i],
-                   reynolds);
+        worst.update(law({grid.voidage[i], reynolds}) / law({grid.voidage[i - 1], reynolds}) - 1.0,
+                     at(grid.voidage[i], reynolds));
   return {"At one Re the drag falls with the voidage", worst.value <= 0.0,
-          worst.value <= 0.0 ? "everywhere" : fmt::format("rises by {:.2g} % {}", 100.0 * worst.value, worst.place)};
+          worst.value <= 0.0 ? "everywhere" : fmt::format("rises by {:.2g} % {}", 100.0 * worst.value, worst.where)};
 }
 
 PropertyCheck check_rise_with_slip(const drag::DragLawKernels& law) {
-  Extreme worst;
+  LargestValue worst;
   for_range(law.info, [&](double voidage, double reynolds) {
     double slope = 0.0;
     law.slip_derivative(&voidage, &reynolds, &slope, 1);
-    worst.meet(-slope / law({voidage, reynolds}), voidage, reynolds);
+    worst.update(-slope / law({voidage, reynolds}), at(voidage, reynolds));
   });
   return {"The drag force rises with the slip: F + Re dF/dRe > 0", worst.value < 0.0,
-          fmt::format("smallest over F: {:.3g} {}", -worst.value, worst.place)};
+          fmt::format("smallest over F: {:.3g} {}", -worst.value, worst.where)};
 }
 
 PropertyCheck check_turbulent_limit(const drag::DragLawKernels& law) {
-  Extreme worst;
+  LargestValue worst;
   for_range(law.info, [&](double voidage, double reynolds) {
     double slope = 0.0;
     law.slip_derivative(&voidage, &reynolds, &slope, 1);
-    worst.meet(slope / law({voidage, reynolds}), voidage, reynolds);
+    worst.update(slope / law({voidage, reynolds}), at(voidage, reynolds));
   });
   return {"The force rises no faster than the square of the slip", worst.value < 2.0 + 1e-6,
-          fmt::format("largest exponent {:.3g} {}", worst.value, worst.place)};
+          fmt::format("largest exponent {:.3g} {}", worst.value, worst.where)};
 }
 
 PropertyCheck check_derivative(const drag::DragLawKernels& law) {
-  Extreme worst;
+  LargestValue worst;
   for_range(law.info, [&](double voidage, double reynolds) {
     double slope = 0.0;
     law.slip_derivative(&voidage, &reynolds, &slope, 1);
@@ -139,45 +127,47 @@ PropertyCheck check_derivative(const drag::DragLawKernels& law) {
     const double backward = (product(1.0) - product(1.0 - step)) / step;
     // At a kink the derivative is that of one side.
     const double off = std::min(std::abs(slope - forward), std::abs(slope - backward));
-    worst.meet(off / std::abs(slope), voidage, reynolds);
+    worst.update(off / std::abs(slope), at(voidage, reynolds));
   });
   return {"The derivative with respect to the slip is that of the formula", worst.value < 1e-3,
-          fmt::format("{:.1g} off differences {}", worst.value, worst.place)};
+          fmt::format("{:.1g} off differences {}", worst.value, worst.where)};
 }
 
 PropertyCheck check_jumps(const drag::DragLawKernels& law) {
   const DragGrid grid = drag_grid();
-  Extreme worst;
+  LargestValue worst;
   for (const double reynolds : inside(grid.reynolds, law.info.reynolds)) {
     const auto [jump, voidage] = largest_jump(inside(grid.voidage, law.info.voidage), [&](double e) {
       return law({e, reynolds});
     });
-    worst.meet(jump, voidage, reynolds);
+    worst.update(jump, at(voidage, reynolds));
   }
   for (const double voidage : inside(grid.voidage, law.info.voidage)) {
     const auto [jump, reynolds] = largest_jump(inside(grid.reynolds, law.info.reynolds), [&](double re) {
       return law({voidage, re});
     });
-    worst.meet(jump, voidage, reynolds);
+    worst.update(jump, at(voidage, reynolds));
   }
   return {"No jumps: a jump over the balance leaves a bed without a steady voidage", worst.value < 1e-3,
-          worst.value < 1e-3 ? "none above 0.1 %" : fmt::format("{:.0f} % {}", 100.0 * worst.value, worst.place)};
+          worst.value < 1e-3 ? "none above 0.1 %" : fmt::format("{:.0f} % {}", 100.0 * worst.value, worst.where)};
 }
 
-PropertyCheck check_expansion(const drag::DragLawKernels& law) {
-  std::string place = "everywhere from the packed bed to a sphere alone";
+PropertyCheck check_expansion(const drag::DragLawKernels& law, const ComparisonBed& bed) {
+  std::string where = "everywhere from the packed bed to a sphere alone";
   bool holds = true;
   double before = 0.0;
   for (const double voidage : drag_grid().voidage) {
-    if (voidage < paper::packed_voidage()) continue;
-    const double velocity = bed_velocity(law, voidage);
+    if (voidage < bed.packed_voidage) continue;
+    const double velocity = bed_velocity(law, bed, voidage);
     if (holds && !(velocity > before)) {
       holds = false;
-      place = fmt::format("falls from {:.4g} to {:.4g} m/s at e = {:.3g}", before, velocity, voidage);
+      where = fmt::format("falls from {:.4g} to {:.4g} m/s at e = {:.3g}", before, velocity, voidage);
     }
     before = velocity;
   }
-  return {"The bed of 5 mm glass in water expands steadily: U rises with the voidage", holds, place};
+  return {
+      fmt::format("The bed of {} in {} expands steadily: U rises with the voidage", bed.bed.words(), bed.liquid_name),
+      holds, where};
 }
 
 void require_usable(const ComparedDragLaw& compared) {
@@ -242,57 +232,57 @@ DragRatio drag_ratio(const drag::DragLawKernels& law, const drag::DragLawKernels
   return {ratios.front(), ratios[ratios.size() / 2], ratios.back(), ratios.size()};
 }
 
-std::vector<PropertyCheck> check_properties(const drag::DragLawKernels& law) {
+std::vector<PropertyCheck> check_properties(const drag::DragLawKernels& law, const ComparisonBed& bed) {
   return {check_stokes_limit(law),    check_single_sphere(law), check_crowding(law), check_rise_with_slip(law),
-          check_turbulent_limit(law), check_derivative(law),    check_jumps(law),    check_expansion(law)};
+          check_turbulent_limit(law), check_derivative(law),    check_jumps(law),    check_expansion(law, bed)};
 }
 
-double bed_velocity(const drag::DragLawKernels& law, double voidage) {
+double bed_velocity(const drag::DragLawKernels& law, const ComparisonBed& bed, double voidage) {
   try {
-    return fluidisation::superficial_velocity(law, paper::glass(0.005), paper::water(), voidage);
+    return fluidisation::superficial_velocity(law, bed.bed.sphere, bed.liquid, voidage);
   } catch (const std::domain_error&) {
     return nothing;
   }
 }
 
-bool bed_in_range(const drag::DragLawKernels& law, double voidage, double superficial_velocity) {
-  return in_range(law.info, voidage,
-                  reynolds_number(paper::water(), paper::glass(0.005).diameter, superficial_velocity));
+bool bed_in_range(const drag::DragLawKernels& law, const ComparisonBed& bed, double voidage,
+                  double superficial_velocity) {
+  return in_range(law.info, voidage, reynolds_number(bed.liquid, bed.bed.sphere.diameter, superficial_velocity));
 }
 
-HomogeneousBed homogeneous_bed(const drag::DragLawKernels& law, double superficial_velocity) {
-  const Sphere glass = paper::glass(0.005), steel = paper::steel(0.006);
-  const LiquidProperties water = paper::water();
+HomogeneousBed homogeneous_bed(const drag::DragLawKernels& law, const ComparisonBed& bed, double superficial_velocity) {
   try {
     const auto [voidage, regime] =
-        fluidisation::bed_voidage(law, glass, water, superficial_velocity, paper::packed_voidage());
-    const bool bed = bed_in_range(law, voidage, superficial_velocity);
-    if (regime != fluidisation::BedRegime::expanded) return {voidage, nothing, bed, false};
-    const ForeignSphereInBed state{glass, steel, water, voidage, superficial_velocity};
+        fluidisation::bed_voidage(law, bed.bed.sphere, bed.liquid, superficial_velocity, bed.packed_voidage);
+    const bool meant_for_bed = bed_in_range(law, bed, voidage, superficial_velocity);
+    if (regime != fluidisation::BedRegime::expanded) return {voidage, nothing, meant_for_bed, false};
+    const ForeignSphereInBed state{bed.bed.sphere, bed.foreign.sphere, bed.liquid, voidage, superficial_velocity};
     const double velocity = classification::force_balance_velocity(law, state);
     const double slip = velocity + state.interstitial_velocity();
-    return {voidage, velocity, bed,
-            bed && in_range(law.info, voidage, reynolds_number(water, steel.diameter, voidage * slip))};
+    const double reynolds = reynolds_number(bed.liquid, bed.foreign.sphere.diameter, voidage * slip);
+    return {voidage, velocity, meant_for_bed, meant_for_bed && in_range(law.info, voidage, reynolds)};
   } catch (const std::domain_error&) {
     return {nothing, nothing, false, false};
   }
 }
 
-Measurements measure_homogeneous_bed(const drag::DragLawKernels& law) {
+Measurements measure_homogeneous_bed(const drag::DragLawKernels& law, const ComparisonBed& bed) {
   Measurements found;
   const auto put = [&](const MeasureKey& key, double value, const char* unit) {
     if (std::isfinite(value)) found[key] = {value, 0.0, 1, unit, "law"};
   };
-  put({"minimum_fluidisation_velocity", "6in5W"}, bed_velocity(law, paper::packed_voidage()), "m/s");
-  for (const Table2Row& row : peng_2014().table2()) {
-    const HomogeneousBed bed = homogeneous_bed(law, row.superficial_velocity);
-    put(measure_key("voidage_centre_of_mass", "6in5W", row.superficial_velocity), bed.voidage, "-");
-    put(measure_key("classification_velocity", "6in5W", row.superficial_velocity), bed.classification_velocity, "m/s");
+  put({"minimum_fluidisation_velocity", bed.system}, bed_velocity(law, bed, bed.packed_voidage), "m/s");
+  for (const PrintedPoint& point : bed.classification.points) {
+    const double velocity = point.superficial_velocity;
+    const HomogeneousBed answer = homogeneous_bed(law, bed, velocity);
+    put(measure_key("voidage_centre_of_mass", bed.system, velocity), answer.voidage, "-");
+    put(measure_key("classification_velocity", bed.system, velocity), answer.classification_velocity, "m/s");
   }
   return found;
 }
 
-std::vector<std::string> uses_outside_range(const drag::DragLawKernels& law, const Measurements& measured) {
+std::vector<std::string> uses_outside_range(const drag::DragLawKernels& law, const ComparisonBed& bed,
+                                            const Measurements& measured) {
   std::vector<std::string> sentences;
   const auto look = [&](const std::string& what, const Range& range, const std::vector<MeasuredPoint>& points) {
     std::vector<MeasuredPoint> outside;
@@ -311,28 +301,30 @@ std::vector<std::string> uses_outside_range(const drag::DragLawKernels& law, con
                                              fmt::format("{:.2f}", fastest.superficial_velocity)),
                                     words_of(range)));
   };
-  const LiquidProperties water = paper::water();
-  const Sphere glass = paper::glass(0.005), steel = paper::steel(0.006);
-  std::vector<MeasuredPoint> voidages, bed_spheres, steel_spheres;
-  for (const Table2Row& row : peng_2014().table2()) {
-    const double velocity = row.superficial_velocity;
-    const HomogeneousBed bed = homogeneous_bed(law, velocity);
-    if (std::isnan(bed.classification_velocity)) continue;
-    const double slip = bed.classification_velocity + velocity / bed.voidage;
-    voidages.push_back({velocity, bed.voidage});
-    bed_spheres.push_back({velocity, reynolds_number(water, glass.diameter, velocity)});
-    steel_spheres.push_back({velocity, reynolds_number(water, steel.diameter, bed.voidage * slip)});
+  const Sphere& sphere = bed.bed.sphere;
+  const Sphere& foreign = bed.foreign.sphere;
+  std::vector<MeasuredPoint> voidages, bed_spheres, foreign_spheres;
+  for (const PrintedPoint& point : bed.classification.points) {
+    const double velocity = point.superficial_velocity;
+    const HomogeneousBed found = homogeneous_bed(law, bed, velocity);
+    if (std::isnan(found.classification_velocity)) continue;
+    const double slip = found.classification_velocity + velocity / found.voidage;
+    voidages.push_back({velocity, found.voidage});
+    bed_spheres.push_back({velocity, reynolds_number(bed.liquid, sphere.diameter, velocity)});
+    foreign_spheres.push_back({velocity, reynolds_number(bed.liquid, foreign.diameter, found.voidage * slip)});
   }
-  const double packed = paper::packed_voidage(), fluidised = bed_velocity(law, packed);
-  look("Minimum fluidisation: voidage", law.info.voidage, {{fluidised, packed}});
-  look("Minimum fluidisation: Re of the glass", law.info.reynolds,
-       {{fluidised, reynolds_number(water, glass.diameter, fluidised)}});
+  const double fluidised = bed_velocity(law, bed, bed.packed_voidage);
+  const std::string of_bed = "Re of the " + bed.bed.material;
+  const std::string of_foreign = fmt::format("Re of the {} sphere", bed.foreign.material);
+  look("Minimum fluidisation: voidage", law.info.voidage, {{fluidised, bed.packed_voidage}});
+  look("Minimum fluidisation: " + of_bed, law.info.reynolds,
+       {{fluidised, reynolds_number(bed.liquid, sphere.diameter, fluidised)}});
   look("Homogeneous bed: voidage", law.info.voidage, voidages);
-  look("Homogeneous bed: Re of the glass", law.info.reynolds, bed_spheres);
-  look("Homogeneous bed: Re of the steel sphere", law.info.reynolds, steel_spheres);
-  look("Runs: lowest voidage at the steel sphere", law.info.voidage,
-       measured_points(measured, "local_voidage_minimum", "6in5W"));
-  look("Runs: Re of the steel sphere", law.info.reynolds, measured_points(measured, "terminal_reynolds", "6in5W"));
+  look("Homogeneous bed: " + of_bed, law.info.reynolds, bed_spheres);
+  look("Homogeneous bed: " + of_foreign, law.info.reynolds, foreign_spheres);
+  look(fmt::format("Runs: lowest voidage at the {} sphere", bed.foreign.material), law.info.voidage,
+       measured_points(measured, "local_voidage_minimum", bed.system));
+  look("Runs: " + of_foreign, law.info.reynolds, measured_points(measured, "terminal_reynolds", bed.system));
   return sentences;
 }
 
@@ -353,6 +345,10 @@ double seconds_per_evaluation(const drag::DragLawKernels& law) {
     fastest = std::min(fastest, seconds / (blocks * static_cast<double>(drag.size())));
   }
   return fastest;
+}
+
+DragFindings characterise(const drag::DragLawKernels& law, const ComparisonBed& bed) {
+  return {check_properties(law, bed), bed_velocity(law, bed, bed.packed_voidage), seconds_per_evaluation(law)};
 }
 
 }  // namespace slfb::compare

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "correlations/drag/drag_law_kernels.hpp"
+#include "experiments/compare/comparison_bed.hpp"
 #include "experiments/compare/property_check.hpp"
 #include "experiments/quantities/measurement.hpp"
 
@@ -37,33 +38,45 @@ struct DragRatio {
 };
 DragRatio drag_ratio(const drag::DragLawKernels& law, const drag::DragLawKernels& other);
 
-/// The properties that a drag law should have, looked for in the law's own range.
-std::vector<PropertyCheck> check_properties(const drag::DragLawKernels& law);
+/// The properties that a drag law should have, looked for in the law's own range, and a steady expansion of the bed.
+std::vector<PropertyCheck> check_properties(const drag::DragLawKernels& law, const ComparisonBed& bed);
 
-/// Superficial velocity that carries 5 mm glass in water at that voidage [m/s]; NaN where there is none.
-double bed_velocity(const drag::DragLawKernels& law, double voidage);
+/// Superficial velocity that carries the spheres of the bed at that voidage [m/s]; NaN where there is none.
+double bed_velocity(const drag::DragLawKernels& law, const ComparisonBed& bed, double voidage);
 
-/// Whether the law is meant for the spheres of that bed.
-bool bed_in_range(const drag::DragLawKernels& law, double voidage, double superficial_velocity);
+/// Whether the law is meant for the spheres of the bed at that voidage [-] and superficial velocity [m/s].
+bool bed_in_range(const drag::DragLawKernels& law, const ComparisonBed& bed, double voidage,
+                  double superficial_velocity);
 
-/// The homogeneous bed of 5 mm glass in water at a superficial velocity, and the 6 mm steel sphere in it.
+/// The homogeneous bed at a superficial velocity, and the foreign sphere in it.
 struct HomogeneousBed {
   double voidage;                  ///< [-]
   double classification_velocity;  ///< by force balance, without collisions [m/s]; NaN without a steady bed
   bool bed_in_range;               ///< whether the law is meant for the spheres of the bed
-  bool in_range;                   ///< whether it is meant for them and for the steel sphere
+  bool in_range;                   ///< whether it is meant for them and for the foreign sphere
 };
-HomogeneousBed homogeneous_bed(const drag::DragLawKernels& law, double superficial_velocity);
+/// \param superficial_velocity [m/s]
+HomogeneousBed homogeneous_bed(const drag::DragLawKernels& law, const ComparisonBed& bed, double superficial_velocity);
 
-/// What measure_runs would find, as far as the homogeneous bed answers it, under the same keys: U_mf, voidage and
-/// classification velocity at the velocities of Table 2.
-Measurements measure_homogeneous_bed(const drag::DragLawKernels& law);
+/// What measure_runs would find, as far as the homogeneous bed answers it, under the same keys: minimum fluidisation
+/// velocity, and voidage and classification velocity at the velocities of `bed.classification`.
+Measurements measure_homogeneous_bed(const drag::DragLawKernels& law, const ComparisonBed& bed);
 
 /// Where a law is used outside the range that it states for itself, one sentence each: at minimum fluidisation, in the
-/// homogeneous bed at the velocities of Table 2, and in runs, by the Reynolds numbers and voidages measured in them.
-std::vector<std::string> uses_outside_range(const drag::DragLawKernels& law, const Measurements& measured);
+/// homogeneous bed at the velocities of `bed.classification`, and in runs, by the Reynolds numbers and voidages
+/// measured in them.
+std::vector<std::string> uses_outside_range(const drag::DragLawKernels& law, const ComparisonBed& bed,
+                                            const Measurements& measured);
 
 /// Time of one evaluation in blocks of 256 on one core [s].
 double seconds_per_evaluation(const drag::DragLawKernels& law);
+
+/// What is known of one law without a simulation.
+struct DragFindings {
+  std::vector<PropertyCheck> properties;
+  double minimum_fluidisation;    ///< [m/s]
+  double seconds_per_evaluation;  ///< [s]
+};
+DragFindings characterise(const drag::DragLawKernels& law, const ComparisonBed& bed);
 
 }  // namespace slfb::compare

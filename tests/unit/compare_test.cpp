@@ -18,6 +18,7 @@
 #include "experiments/commands/commands.hpp"
 #include "experiments/compare/candidates.hpp"
 #include "experiments/compare/drag_study.hpp"
+#include "experiments/peng_2014/comparison.hpp"
 #include "experiments/peng_2014/paper_conditions.hpp"
 #include "experiments/runs/run_files.hpp"
 #include "solver/laws/scene_file.hpp"
@@ -28,6 +29,11 @@ namespace slfb::compare {
 namespace {
 
 namespace fs = std::filesystem;
+
+const ComparisonBed& bed() {
+  static const ComparisonBed the_bed = paper::comparison_bed();
+  return the_bed;
+}
 
 constexpr LawInfo planted_info(double largest_reynolds) {
   LawInfo info = drag::WenYu1966::info;
@@ -66,7 +72,7 @@ struct FasterThanSquare {
 template <class Law>
 std::vector<int> failing() {
   std::vector<int> places;
-  const auto checks = check_properties(drag::kernels_of<Law>());
+  const auto checks = check_properties(drag::kernels_of<Law>(), bed());
   for (std::size_t i = 0; i < checks.size(); ++i)
     if (!checks[i].holds) places.push_back(static_cast<int>(i));
   return places;
@@ -92,13 +98,13 @@ TEST(DragProperties, AWrongDerivativeIsFound) {
     for (std::size_t i = 0; i < count; ++i)
       result[i] = 1.01 * drag::slip_derivative(drag::WenYu1966{}, {voidage[i], reynolds[i]});
   };
-  const auto checks = check_properties(law);
+  const auto checks = check_properties(law, bed());
   EXPECT_FALSE(checks[derivative].holds) << checks[derivative].found;
 }
 
 // Gidaspow's law changes its formula at a voidage of 0.8; his blend of the two was made to mend that.
 TEST(DragProperties, GidaspowsJumpIsWhereHisFormulaChanges) {
-  const auto jump = check_properties(find_drag_law("gidaspow-1994"))[jumps];
+  const auto jump = check_properties(find_drag_law("gidaspow-1994"), bed())[jumps];
   EXPECT_FALSE(jump.holds);
   EXPECT_NE(jump.found.find("e = 0.8,"), std::string::npos) << jump.found;
 }
@@ -120,12 +126,32 @@ TEST(ForceBalance, HasAClosedFormForLinearDrag) {
 }
 
 TEST(HomogeneousBed, AnswersUnderTheKeysOfTheSimulations) {
-  const Measurements found = measure_homogeneous_bed(find_drag_law("di-felice-1994"));
+  const Measurements found = measure_homogeneous_bed(find_drag_law("di-felice-1994"), bed());
   const double fluidisation = found.at({"minimum_fluidisation_velocity", "6in5W"}).value;
-  EXPECT_NEAR(homogeneous_bed(find_drag_law("di-felice-1994"), 1.0001 * fluidisation).voidage, paper::packed_voidage(),
-              1e-4);
+  EXPECT_NEAR(homogeneous_bed(find_drag_law("di-felice-1994"), bed(), 1.0001 * fluidisation).voidage,
+              paper::packed_voidage(), 1e-4);
   EXPECT_GT(found.at(measure_key("classification_velocity", "6in5W", 0.10)).value,
             found.at(measure_key("classification_velocity", "6in5W", 0.06)).value);
+}
+
+// Another work's bed: other spheres, liquid and names, nothing of the first one left in the answers.
+TEST(ComparisonBed, NamesAndNumbersAreThoseOfTheWork) {
+  ComparisonBed other;
+  other.system = "beads";
+  other.bed = {{0.002, 2500.0}, "bead"};
+  other.foreign = {{0.003, 4000.0}, "garnet"};
+  other.liquid = {1260.0, 0.9};
+  other.liquid_name = "glycerol";
+  other.packed_voidage = 0.42;
+  other.classification = {"measured", {{0.002, 0.01}}};
+  const auto law = find_drag_law("wen-yu-1966");
+  EXPECT_EQ(other.bed.words(), "2 mm bead");
+  EXPECT_NE(check_properties(law, other)[expansion].property.find("2 mm bead in glycerol"), std::string::npos);
+  const Measurements found = measure_homogeneous_bed(law, other);
+  EXPECT_TRUE(found.contains({"minimum_fluidisation_velocity", "beads"}));
+  // Viscous: the velocity that carries the packed bed follows Stokes, U = (ρ_s − ρ) g d² ε / (18 μ F), F = ε^−3.65.
+  const double stokes = (2500.0 - 1260.0) * 9.81 * 4e-6 / (18.0 * 0.9);
+  EXPECT_NEAR(bed_velocity(law, other, 0.42), stokes * std::pow(0.42, 4.65), 0.001 * stokes * std::pow(0.42, 4.65));
 }
 
 Evaluation answer(double ours, double half_width) {
@@ -175,13 +201,13 @@ TEST(CountChanges, CountsWhatTheCandidateAnswers) {
 }
 
 TEST(RunsOf, AreThoseThatTheClaimsAskFor) {
-  const auto claims = claims_of_runs({"fig10"});
-  EXPECT_TRUE(runs_of(Tier::correlation, claims, {}).empty());
-  const auto slice = runs_of(Tier::one_dimensional, claims, {0.10});
+  const auto claims = claims_of_runs(bed(), {"fig10"});
+  EXPECT_TRUE(runs_of(bed(), Tier::correlation, claims, {}).empty());
+  const auto slice = runs_of(bed(), Tier::one_dimensional, claims, {0.10});
   ASSERT_EQ(slice.size(), 1u);
   EXPECT_EQ(slice[0].superficial_velocity, 0.10);
-  EXPECT_THROW(runs_of(Tier::one_dimensional, claims, {0.123}), std::invalid_argument);
-  EXPECT_THROW(claims_of_runs({"fig99"}), std::invalid_argument);
+  EXPECT_THROW(runs_of(bed(), Tier::one_dimensional, claims, {0.123}), std::invalid_argument);
+  EXPECT_THROW(claims_of_runs(bed(), {"fig99"}), std::invalid_argument);
 }
 
 class CompareCommand : public testing::Test {
@@ -317,7 +343,7 @@ TEST_F(CompareCommand, ComparesVoidFractionSchemesByTheirRuns) {
   const std::vector<std::string> schemes{"exact-overlap", "particle-meshing", "centroid"};
   unsigned seed = 0;
   for (const std::string& scheme : schemes)
-    for (RunSpec spec : runs_of(Tier::one_dimensional, claims_of_runs({"table2"}), {0.10})) {
+    for (RunSpec spec : runs_of(bed(), Tier::one_dimensional, claims_of_runs(bed(), {"table2"}), {0.10})) {
       spec.overrides.push_back("coupling.void_fraction=" + scheme);
       RunResult result = synthetic::run("6in5W", 0.10, "", ++seed).result;
       for (DropSeries& drop : result.drops) drop.species = "steel";
@@ -341,20 +367,20 @@ TEST_F(CompareCommand, ComparesVoidFractionSchemesByTheirRuns) {
 // Tenneti's law is meant for voidages from 0.5: the packed bed of 0.4 lies outside, and Re = 276 of its spheres inside.
 TEST(UsesOutsideRange, MinimumFluidisationIsOne) {
   const auto law = find_drag_law("tenneti-2011");
-  const auto sentences = uses_outside_range(law, {});
+  const auto sentences = uses_outside_range(law, bed(), {});
   ASSERT_FALSE(sentences.empty());
   EXPECT_EQ(sentences[0].find("Minimum fluidisation: voidage 0.3999 at 0.06 m/s"), 0u) << sentences[0];
   EXPECT_EQ(sentences[1].find("Homogeneous bed: "), 0u) << sentences[1];
-  EXPECT_FALSE(homogeneous_bed(law, 0.06).bed_in_range);
-  EXPECT_TRUE(homogeneous_bed(find_drag_law("di-felice-1994"), 0.06).in_range);
+  EXPECT_FALSE(homogeneous_bed(law, bed(), 0.06).bed_in_range);
+  EXPECT_TRUE(homogeneous_bed(find_drag_law("di-felice-1994"), bed(), 0.06).in_range);
 }
 
 TEST(UsesOutsideRange, AreThoseOfTheMeasuredFlow) {
   const drag::DragLawKernels law = drag::kernels_of<Planted<Nothing>>();  // Re up to 900
-  const auto none = uses_outside_range(law, {});
-  const auto more =
-      uses_outside_range(law, {{measure_key("terminal_reynolds", "6in5W", 0.06), {1234.0, 1.0, 3, "-", ""}},
-                               {measure_key("terminal_reynolds", "6in5W", 0.08), {800.0, 1.0, 3, "-", ""}}});
+  const auto none = uses_outside_range(law, bed(), {});
+  const auto more = uses_outside_range(law, bed(),
+                                       {{measure_key("terminal_reynolds", "6in5W", 0.06), {1234.0, 1.0, 3, "-", ""}},
+                                        {measure_key("terminal_reynolds", "6in5W", 0.08), {800.0, 1.0, 3, "-", ""}}});
   ASSERT_EQ(more.size(), none.size() + 1);
   EXPECT_NE(more.back().find("1234 at 0.06 m/s"), std::string::npos) << more.back();
 }

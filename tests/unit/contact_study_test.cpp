@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "experiments/peng_2014/comparison.hpp"
 #include "experiments/peng_2014/paper_conditions.hpp"
 #include "experiments/runs/run_files.hpp"
 #include "solver/dem/hertz_mindlin.hpp"
@@ -18,6 +19,11 @@
 
 namespace slfb::compare {
 namespace {
+
+const ComparisonBed& bed() {
+  static const ComparisonBed the_bed = paper::comparison_bed();
+  return the_bed;
+}
 
 Contact sound_contact() {
   Contact contact;
@@ -44,7 +50,7 @@ double mass_of_glass() { return paper::glass_density * std::numbers::pi / 6.0 * 
 // A half period of the damped oscillator; the frame of the common centre keeps e² of the energy.
 TEST(Collide, OfALinearSpringIsAHalfPeriod) {
   const ComparedContactLaw law = compared("linear");
-  const Rebound rebound = resolved(law, bed_impact(0.1));
+  const Rebound rebound = resolved(law, bed_impact(bed(), 0.1));
   ASSERT_TRUE(rebound.parted);
   const double mass = 0.5 * mass_of_glass();
   EXPECT_NEAR(rebound.restitution, 0.9, 1e-4);
@@ -63,7 +69,7 @@ TEST(Collide, OfElasticSpheresIsHertzs) {
   const ComparedContactLaw law = compared("hertz", contact);
   const double mass = 0.5 * mass_of_glass(), radius = 0.00125, modulus = 8e6 / (2.0 * (1.0 - 0.0625));
   for (const double speed : {0.02, 0.5}) {
-    const Rebound rebound = resolved(law, bed_impact(speed));
+    const Rebound rebound = resolved(law, bed_impact(bed(), speed));
     const double duration = 2.8683 * std::pow(mass * mass / (radius * modulus * modulus * speed), 0.2);
     EXPECT_NEAR(rebound.duration, duration, 2e-3 * duration);
     const double stiffness = 4.0 / 3.0 * modulus * std::sqrt(radius);
@@ -80,11 +86,11 @@ TEST(Collide, AGrazingImpactIsThatOfARigidSphere) {
   hard.youngs_modulus = 8e9;
   for (const char* name : {"linear", "hertz"}) {
     const ComparedContactLaw law = compared(name, hard);
-    const Impact impact = oblique_impact(80.0);
+    const Impact impact = oblique_impact(bed(), 80.0);
     const Rebound rebound = resolved(law, impact);
     const double lost = 0.3 * (1.0 + rebound.restitution) * impact.speed;
     EXPECT_NEAR(rebound.tangential_speed, impact.tangential_speed - lost, 0.005 * lost) << name;
-    EXPECT_NEAR(0.0025 * rebound.spin, 2.5 * lost, 0.01 * lost) << name;
+    EXPECT_NEAR(0.0025 * rebound.angular_speed, 2.5 * lost, 0.01 * lost) << name;
   }
 }
 
@@ -95,7 +101,7 @@ TEST(WetRestitution, IsThatOfTheWorkOfLubrication) {
   contact.restitution = 1.0;
   contact.stiffness = 1e6;
   const ComparedContactLaw law = compared("linear", contact);
-  const auto [outer, inner] = lubrication_gaps();
+  const auto [outer, inner] = lubrication_gaps(bed());
   const double mass = mass_of_glass(), factor = 6.0 * std::numbers::pi * paper::water().viscosity * 0.0025 * 0.0025;
   const double way = factor / mass * std::log(outer / inner);
   for (const double speed : {0.05, 0.3}) {
@@ -104,18 +110,19 @@ TEST(WetRestitution, IsThatOfTheWorkOfLubrication) {
     // Half a period of a weakly damped oscillator loses c v² π/(2 ω) of energy, ω = v/δ.
     const double damping = factor * (1.0 / inner - 1.0 / outer);
     const double parted = slowed - damping / mass * overlap * std::numbers::pi / 2.0;
-    EXPECT_NEAR(wet_restitution(law, speed), (parted - way) / speed, 0.01) << speed;
+    EXPECT_NEAR(wet_restitution(law, bed(), speed), (parted - way) / speed, 0.01) << speed;
   }
-  EXPECT_EQ(wet_restitution(law, 0.8 * way), 0.0);
+  EXPECT_EQ(wet_restitution(law, bed(), 0.8 * way), 0.0);
 }
 
 TEST(ComparedContactLaws, HertzWithoutAModulusTouchesAsLongAsTheLinearLaw) {
   const RunSpec slice{"6in5W", 0.06, "", "6in5W_one-dimensional.toml", {}};
-  const auto laws = compared_contact_laws({"linear", "hertz", "hertz:youngs_modulus=1e7 Pa"}, slice);
+  const auto laws = compared_contact_laws({"linear", "hertz", "hertz:youngs_modulus=1e7 Pa"}, slice, bed());
   EXPECT_EQ(laws[1].name, "hertz");
   EXPECT_EQ(laws[2].contact.youngs_modulus, 1e7);
   EXPECT_EQ(laws[2].name, "hertz:youngs_modulus=1e7 Pa");
-  const double linear = resolved(laws[0], bed_impact()).duration, hertz = resolved(laws[1], bed_impact()).duration;
+  const double linear = resolved(laws[0], bed_impact(bed())).duration,
+               hertz = resolved(laws[1], bed_impact(bed())).duration;
   EXPECT_NEAR(hertz, linear, 0.03 * linear);
 }
 
@@ -184,7 +191,7 @@ template <class Fault>
 std::vector<int> failing() {
   ComparedContactLaw law{"planted", "", {}, sound_contact(), dem::contact_kernels_of<Planted<Fault>>()};
   std::vector<int> places;
-  const auto checks = check_properties(law);
+  const auto checks = check_properties(law, bed());
   for (std::size_t i = 0; i < checks.size(); ++i)
     if (!checks[i].holds) places.push_back(static_cast<int>(i));
   return places;
@@ -206,9 +213,9 @@ TEST(ContactProperties, PlantedFaultsAreFound) {
 TEST(ContactProperties, ACoarseStepIsFound) {
   ComparedContactLaw law = compared("linear");
   law.contact.time_step = 1e-4;
-  EXPECT_TRUE(check_properties(law)[step].holds);
+  EXPECT_TRUE(check_properties(law, bed())[step].holds);
   law.contact.time_step = 4e-4;
-  EXPECT_FALSE(check_properties(law)[step].holds);
+  EXPECT_FALSE(check_properties(law, bed())[step].holds);
 }
 
 TEST(ContactProperties, SpheresThatStickAreAnError) {
@@ -221,7 +228,7 @@ TEST(ContactProperties, SpheresThatStickAreAnError) {
   ComparedContactLaw law{"sticks", "", {}, sound_contact(), dem::contact_kernels_of<Planted<Sticks>>()};
   const std::string message = [&] {
     try {
-      check_properties(law);
+      check_properties(law, bed());
     } catch (const std::runtime_error& error) {
       return std::string(error.what());
     }
@@ -230,12 +237,12 @@ TEST(ContactProperties, SpheresThatStickAreAnError) {
   EXPECT_NE(message.find("do not part"), std::string::npos) << message;
 }
 
-/// What find_out says of a faulty law.
+/// What characterise says of a faulty law.
 template <class Fault>
 std::string error_of() {
   const ComparedContactLaw law{"planted", "mine.cpp", {}, sound_contact(), dem::contact_kernels_of<Planted<Fault>>()};
   try {
-    find_out(law);
+    characterise(law, bed());
   } catch (const std::runtime_error& error) {
     return error.what();
   }
@@ -263,14 +270,14 @@ TEST(ContactFindings, ALawThatCannotMoveTwoBodiesIsNamed) {
 }
 
 TEST(UsesOutsideRange, AreThoseOfTheStatedOverlap) {
-  EXPECT_TRUE(uses_outside_range(compared("linear"), {}).empty());
+  EXPECT_TRUE(uses_outside_range(compared("linear"), bed(), {}).empty());
   const auto soft = uses_outside_range(
-      compared("hertz"), {{measure_key("maximum_overlap_mean", "6in5W", 0.06), {0.02, 0.001, 9, "-", ""}}});
+      compared("hertz"), bed(), {{measure_key("maximum_overlap_mean", "6in5W", 0.06), {0.02, 0.001, 9, "-", ""}}});
   ASSERT_EQ(soft.size(), 3u);
   EXPECT_NE(soft[2].find("0.06 m/s"), std::string::npos) << soft[2];
   Contact hard = sound_contact();
   hard.youngs_modulus = 7e10;
-  EXPECT_TRUE(uses_outside_range(compared("hertz", hard), {}).empty());
+  EXPECT_TRUE(uses_outside_range(compared("hertz", hard), bed(), {}).empty());
 }
 
 }  // namespace
