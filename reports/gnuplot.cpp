@@ -6,6 +6,7 @@
 #include <fstream>
 #include <sstream>
 #include <stdexcept>
+#include <string_view>
 
 #include "solver/support/folders.hpp"
 #include "solver/support/run_program.hpp"
@@ -42,6 +43,21 @@ std::string quoted(const std::string& text) {
 
 /// A value as gnuplot reads it.
 std::string number_text(double value) { return std::isnan(value) ? "NaN" : fmt::format("{:.9g}", value); }
+
+/// The text of a gnuplot file with each line "load 'FILE'" replaced by that file, which is named from the folder of the
+/// file that loads it: the script then stands alone.
+std::string with_loaded_files(const fs::path& plot) {
+  constexpr std::string_view load = "load '";
+  std::istringstream lines(read_file(plot));
+  std::string text;
+  for (std::string line; std::getline(lines, line);) {
+    if (line.starts_with(load))
+      text += with_loaded_files(plot.parent_path() / line.substr(load.size(), line.rfind('\'') - load.size()));
+    else
+      text += line + "\n";
+  }
+  return text;
+}
 
 /// The script draws itself once per format: loaded without `format` it loads itself for each, then leaves.
 constexpr const char* prologue = R"(# {id}: redraw it with `gnuplot {id}.gp` in the folder of its CSV files.
@@ -117,7 +133,8 @@ void PlotValues::list(const std::string& name, const std::vector<std::string>& i
 
 void draw_plot(const std::string& id, const fs::path& plot, const PlotValues& values, const Canvas& canvas,
                const fs::path& folder, const std::string& set_up, const std::vector<std::string>& formats) {
-  draw_figure(id, set_up + values.commands() + "\n" + read_file(plot), canvas, folder, formats);
+  const std::string size = fmt::format("width = {}.0\nheight = {}.0\n", canvas.width, canvas.height);
+  draw_figure(id, size + set_up + values.commands() + "\n" + with_loaded_files(plot), canvas, folder, formats);
 }
 
 void draw_figure(const std::string& id, const std::string& commands, const Canvas& canvas, const fs::path& folder,

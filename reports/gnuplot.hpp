@@ -52,11 +52,12 @@ class PlotValues {
 
 /// Draws `plot`, a gnuplot file of the source tree (figure.gp of a figure's folder), with these values.
 ///
-/// Writes ID.gp into `folder`: terminal, shared style (reports/style.gp), the values, then the text of `plot`. Runs it
-/// there, which leaves ID.svg, ID.png and ID.pdf, or those of `formats`. ID.gp names its data without a folder, so that
-/// `gnuplot ID.gp` beside the CSV files redraws the figure anywhere. Throws std::runtime_error with gnuplot's own
-/// message when gnuplot is missing, fails, or leaves a picture out. `set_up`: commands before the values, for what
-/// frames of figures have in common.
+/// Writes ID.gp into `folder`: terminal, shared style (reports/style.gp), `width` and `height` of the picture [pixel],
+/// the values, then the text of `plot`. A line "load 'FILE'" of it becomes that file, named from the folder of `plot`:
+/// what several plots share. Runs ID.gp in `folder`, which leaves ID.svg, ID.png and ID.pdf, or those of `formats`.
+/// ID.gp names its data without a folder, so that `gnuplot ID.gp` beside the CSV files redraws the figure anywhere.
+/// Throws std::runtime_error with gnuplot's own message when gnuplot is missing, fails, or leaves a picture out.
+/// `set_up`: commands before the values, for what frames of figures have in common.
 void draw_plot(const std::string& id, const std::filesystem::path& plot, const PlotValues& values, const Canvas& canvas,
                const std::filesystem::path& folder, const std::string& set_up = "",
                const std::vector<std::string>& formats = {"svg", "png", "pdf"});

@@ -52,4 +52,16 @@ FigureOutput draw_table(const std::string& id, std::string caption, const std::v
   return {id, {write_csv(data, folder)}, std::move(caption), std::move(notes)};
 }
 
+int add_table(const std::vector<std::vector<std::string>>& rows, PlotValues& values) {
+  const int height = table_height(rows.size());
+  std::vector<std::string> cells;
+  for (const auto& row : rows) cells.insert(cells.end(), row.begin(), row.end());
+  values.texts("cell", cells);
+  values.number("column_count", rows.empty() ? 0.0 : static_cast<double>(rows.front().size()));
+  values.number("head_height", head_height);
+  values.number("row_height", row_height);
+  values.number("table_height", height);
+  return height;
+}
+
 }  // namespace slfb

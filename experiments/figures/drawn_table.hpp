@@ -30,4 +30,11 @@ FigureOutput draw_table(const std::string& id, std::string caption, const std::v
                         const std::vector<std::vector<std::string>>& rows, const DataTable& data,
                         std::vector<std::string> notes, int width, const std::filesystem::path& folder);
 
+/// Gives a plot the rows of a table that it draws as a picture with experiments/figures/table.gp, so that a table of a
+/// paper can be put beside the figures. The texts are shown as written; each row has one text per column.
+///
+/// Sets the list `cell` (row after row), `column_count` and the heights `head_height`, `row_height` and `table_height`
+/// [pixel]. Columns (positions, headings, colours) stand in figure.gp. Returns the height of the picture [pixel].
+int add_table(const std::vector<std::vector<std::string>>& rows, PlotValues& values);
+
 }  // namespace slfb

@@ -284,8 +284,8 @@ std::string footer_commands(const std::string& text, Canvas& canvas) {
   constexpr int line_height = 13;
   const int text_height = line_height * static_cast<int>(lines.size()) + 8;
   canvas.height += text_height;
-  std::string commands = fmt::format("height = {}\nbase = {:.5f}\nset origin 0, base\nset size 1, 1 - base\n",
-                                     canvas.height, static_cast<double>(text_height) / canvas.height);
+  std::string commands = fmt::format("base = {:.5f}\nset origin 0, base\nset size 1, 1 - base\n",
+                                     static_cast<double>(text_height) / canvas.height);
   for (std::size_t index = 0; index < lines.size(); ++index) {
     const double height = (text_height - 4.0 - line_height * (static_cast<double>(index) + 0.5)) / canvas.height;
     commands += fmt::format("set label {} {} at screen 0.012, {:.5f} font ',9' textcolor rgb '#6b7580' front\n",
@@ -307,7 +307,7 @@ void draw_figure_of_runs(const std::string& id, const std::string& commands, Can
                          const FigureContext& context, const std::vector<std::string>& keys,
                          const std::vector<FinishedRun>& own_springs) {
   const std::string footer = footer_commands(footer_text(id, context, keys, own_springs), canvas);
-  draw_figure(id, footer + commands, canvas, context.out);
+  draw_figure(id, fmt::format("height = {}.0\n", canvas.height) + footer + commands, canvas, context.out);
 }
 
 }  // namespace slfb

@@ -104,7 +104,7 @@ std::vector<std::string> run_notes(const FigureContext& context, const std::vect
 /// Draws the gnuplot file `plot` as ID (draw_plot) with the differences of the profile printed below it, or how to
 /// simulate it when no run of `keys` exists.
 ///
-/// The plot may use the variables `height` (of the picture, in pixels) and `base` (the part of it that this text
+/// The plot may use `width` and `height` (of the picture, in pixels) and `base` (the part of the height that this text
 /// takes). A figure of several plots begins with `set multiplot` and calls `eval footer_drawn` after its first plot, so
 /// that the text is drawn once. `own_springs`: the runs from which contacts and single forces are taken.
 void draw_plot_of_runs(const std::string& id, const std::filesystem::path& plot, const PlotValues& values,

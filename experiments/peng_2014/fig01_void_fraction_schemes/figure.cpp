@@ -9,6 +9,7 @@
 #include <fstream>
 #include <string>
 
+#include "experiments/figures/figure_folder.hpp"
 #include "experiments/figures/figure_support.hpp"
 #include "experiments/numerics/studies/scheme_study.hpp"
 #include "experiments/peng_2014/figures.hpp"
@@ -16,6 +17,8 @@
 
 namespace slfb {
 namespace {
+
+const FigureFolder folder{"peng_2014/fig01_void_fraction_schemes"};
 
 using void_fraction_study::Method;
 using void_fraction_study::methods;
@@ -27,23 +30,6 @@ std::string processor() {
     if (line.starts_with("model name")) return line.substr(line.find(':') + 2);
   return "an unnamed processor";
 }
-
-/// gnuplot's look of a method, and where its name stands beside its point in the plot of error against cost.
-struct Look {
-  const char* line;
-  const char* label = "left offset 0.9,0.4";
-};
-/// In the order of methods(): meshing in ever darker orange, with diffusion dashed.
-constexpr std::array looks{
-    Look{"linecolor rgb second_variant linewidth 2 pointtype 9 pointsize 0.8"},
-    Look{"linecolor rgb '#f3c39b' linewidth 2 pointtype 5 pointsize 0.6", "right offset -0.9,-0.3"},
-    Look{"linecolor rgb '#eb9f5e' linewidth 2 pointtype 5 pointsize 0.6", "right offset -0.9,-0.3"},
-    Look{"linecolor rgb '#e07b26' linewidth 2 pointtype 5 pointsize 0.6"},
-    Look{"linecolor rgb variant linewidth 2.6 pointtype 5 pointsize 0.8"},
-    Look{"linecolor rgb '#8a3c00' linewidth 2 pointtype 5 pointsize 0.6"},
-    Look{"linecolor rgb ours linewidth 2.2 pointtype 7 pointsize 1", "left offset 0.9,0.6"},
-    Look{"linecolor rgb second_variant linewidth 1.6 pointtype 8 pointsize 0.9 dashtype (6, 4)"},
-    Look{"linecolor rgb ours linewidth 1.6 pointtype 6 pointsize 0.8 dashtype (6, 4)", "left offset 0.9,-0.1"}};
 
 /// Cells over the side of the assembly, and how often the grid is laid anew; few large cells need it.
 struct Width {
@@ -130,21 +116,6 @@ DataTable pareto_front(std::vector<Outcome> outcomes) {
   return front;
 }
 
-constexpr std::size_t first_style = 101;  ///< gnuplot's line styles of the methods begin here
-
-using Places = std::vector<std::size_t>;  ///< in methods()
-
-/// Plot elements of the methods `shown`; those of `named` are in the key.
-std::string curves(const DataTable& table, const char* style, const Places& shown, const Places& named) {
-  std::string plot;
-  for (const std::size_t m : shown) {
-    const bool in_key = std::ranges::find(named, m) != named.end();
-    plot += fmt::format("{}'{}.csv' skip 1 using 1:{} with {} linestyle {} {}", plot.empty() ? "" : ", ", table.name,
-                        m + 2, style, first_style + m, in_key ? "title " + gnuplot_text(methods()[m].name) : "notitle");
-  }
-  return plot;
-}
-
 std::vector<std::string> needs(const Profile&) { return {}; }
 
 FigureOutput draw(const FigureContext& context) {
@@ -152,17 +123,11 @@ FigureOutput draw(const FigureContext& context) {
   const double paper_cell = assembly.side / across_of_paper;
   const std::time_t now = std::chrono::system_clock::to_time_t(std::chrono::system_clock::now());
   const std::string when = fmt::format("{}; {:%F}", processor(), fmt::localtime(now));
-  FigureOutput output{"fig01", {}, "", {fmt::format("CPU times are measured anew at each drawing, here on {}.", when)}};
-  output.caption = fmt::format(
-      "Above, left: a meshing template of 1214 pieces of equal volume, as many as in the paper's, cut open. Beside it: "
-      "error of a cell's solids fraction against exact overlap, over the mean, in a random assembly of {} spheres at a "
-      "solids fraction of 0.5; dotted: the 50 % that the paper gives for the centroid method. Diffusion: smoothing "
-      "with "
-      "a bandwidth of one diameter, which leaves exact overlap on purpose. Below: error against CPU time on one core "
-      "with the Pareto front, in cells of {:.2f} diameters; a sphere that crosses the face of such a cell, and the "
-      "rate "
-      "of change over steps of 0.01 diameters, which drives the liquid through continuity.",
-      spheres, paper_cell);
+  FigureOutput output{
+      "fig01",
+      {},
+      folder.caption({{"spheres", fmt::format("{}", spheres)}, {"cell", fmt::format("{:.2f}", paper_cell)}}),
+      {fmt::format("CPU times are measured anew at each drawing, here on {}.", when)}};
 
   const auto [mean, largest] = errors(assembly);
   const auto [crossing, rate] = crossings(paper_cell);
@@ -171,59 +136,29 @@ FigureOutput draw(const FigureContext& context) {
       "fig01_cost",
       {fmt::format("CPU time on {} [ns per sphere]", when), "root mean square error [-]", "largest error [-]"},
       {}};
-  constexpr double lower_edge = 2e-4;  // where exact overlap stands, whose error is zero here
-  std::string styles, labels, points;
+  std::vector<std::string> names;
+  std::vector<double> costs, mean_errors;
   for (std::size_t m = 0; m < outcomes.size(); ++m) {
     const Outcome& outcome = outcomes[m];
     cost.rows.push_back({outcome.nanoseconds, outcome.root_mean_square, outcome.largest});
-    styles += fmt::format("set style line {} {}\n", first_style + m, looks[m].line);
-    labels += fmt::format("set label {} {} at {:.6g},{:.6g} {} font ',11'\n", m + 1, gnuplot_text(methods()[m].name),
-                          outcome.nanoseconds, std::max(lower_edge, outcome.root_mean_square), looks[m].label);
-    points += fmt::format(
-        ", 'fig01_cost.csv' skip 1 every ::{0}::{0} using 1:($2 > lower ? $2 : lower) with points linestyle {1}", m,
-        first_style + m);
+    names.push_back(methods()[m].name);
+    costs.push_back(outcome.nanoseconds);
+    mean_errors.push_back(outcome.root_mean_square);
   }
   for (const DataTable& table : {template_half(1214), mean, largest, cost, pareto_front(outcomes), crossing, rate})
     output.data.push_back(write_csv(table, context.out));
 
-  const Places erring{0, 7, 8, 1, 2, 3, 4, 5}, meshing{1, 2, 3, 4, 5}, entering{0, 1, 2, 4, 7, 8, 6},
-      changing{0, 2, 4, 7, 8, 6};
-  const std::string commands = fmt::format(
-      "{}lower = {}\nset multiplot layout 2,3 margins 0.055,0.988,0.085,0.945 spacing 0.066,0.155\n"
-      "set title 'template of 1214 pieces of equal volume'\nunset border\nunset tics\nunset key\nunset grid\n"
-      "set size ratio -1\nset xrange [-1.1:1.1]\nset yrange [-1.1:1.1]\nset style fill solid 1 border rgb '#1b2a38'\n"
-      "plot 'fig01_template.csv' skip 1 using 1:2:3:4 with circles linecolor rgb variable linewidth 0.4\n"
-      "set size noratio\nset border 3\nset grid back\nset logscale xy\nset mxtics 1\nset mytics 1\n"
-      "set xrange [0.45:11]\nset xtics nomirror out scale 0.6 (0.5, 1, 2, 5, 10)\n"
-      "set yrange [1e-5:10]\nset ytics nomirror out scale 0.6\nset format y '10^{{%L}}'\n"
-      "set xlabel 'cell size / sphere diameter'\nset ylabel 'error of solids fraction / mean [-]' offset 0.4,0\n"
-      "set title 'root mean square error'\nset key bottom left reverse Left samplen 1.6 spacing 1 font ',11'\nplot {}\n"
-      "set title 'largest error'\n"
-      "set label 50 '50 %' at 10.5,0.5 right offset 0,0.6 font ',11' textcolor rgb quiet\n"
-      "plot 0.5 with lines linestyle 20 notitle, {}\nunset label 50\n"
-      "set title 'error against cost, cells of {:.2f} d'\nunset key\nset xrange [10:1e6]\nset xtics autofreq\n"
-      "set format x '10^{{%L}}'\nset xlabel 'CPU time per sphere [ns]'\nset yrange [lower:3]\n"
-      "set ylabel 'root mean square error [-]' offset 0.8,0\n{}"
-      "plot 'fig01_pareto.csv' skip 1 using 1:($2 > lower ? $2 : lower) with steps linestyle 20{}\n"
-      "do for [m=1:{}] {{ unset label m }}\nunset logscale\nset format '%g'\nset xrange [-0.75:0.75]\nset xtics 0.25\n"
-      "set xlabel 'distance of the centre beyond the face / d'\nset title 'a sphere enters a cell'\n"
-      "set ylabel 'part of the sphere in the cell [-]' offset 0,0\nset yrange [-0.02:1.04]\n"
-      "set key top left reverse Left samplen 1.6 spacing 1 font ',10'\nplot {}\n"
-      "set title 'its rate of change'\nset ylabel 'rate of change per diameter [-]'\nset yrange [-0.15:5]\n"
-      "unset key\nset label 51 'centroid: 100' at 0.03,4.7 font ',11' textcolor rgb second_variant\n"
-      "plot {}\nunset multiplot\n",
-      styles, lower_edge, curves(mean, "linespoints", erring, meshing),
-      curves(largest, "linespoints", erring, {0, 7, 8}), paper_cell, labels, points, outcomes.size(),
-      curves(crossing, "lines", entering, entering), curves(rate, "lines", changing, {}));
-  draw_figure("fig01", commands, {1240, 720}, context.out);
+  PlotValues values;
+  values.number("paper_cell", paper_cell);
+  values.texts("method", names);
+  values.numbers("cost", costs);
+  values.numbers("error", mean_errors);
+  draw_plot("fig01", folder.plot(), values, {1240, 720}, context.out);
   return output;
 }
 
 }  // namespace
 
-Figure fig01() {
-  return {"fig01", "Void-fraction schemes: error and cost against exact overlap", needs, draw,
-          "peng_2014/fig01_void_fraction_schemes"};
-}
+Figure fig01() { return {"fig01", folder.title(), needs, draw, folder.path().string()}; }
 
 }  // namespace slfb

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "experiments/figures/figure_folder.hpp"
 #include "experiments/figures/figure_support.hpp"
 #include "experiments/peng_2014/figures.hpp"
 #include "experiments/reference/reference_data.hpp"
@@ -13,6 +14,8 @@
 
 namespace slfb {
 namespace {
+
+const FigureFolder folder{"peng_2014/fig02_mesh"};
 
 constexpr double part_height = 0.1;  ///< of the column that is drawn with its mesh [m]
 
@@ -81,72 +84,32 @@ FigureOutput draw(const FigureContext& context) {
   const Scene scene = load_scene(source_folder() / "experiments" / "peng_2014" / "scenes" / "6in5W.toml", {});
   const fluid::ColumnGrid grid(scene);
   const auto& species = scene.species;
-  FigureOutput output{"fig02", {}, "", {"No simulation stands behind this picture."}};
-  const double paper_cell = std::cbrt(grid.section_area() * grid.column_height() / peng_2014().value("cell_count"));
-  output.caption = fmt::format(
-      "Domain and mesh of our liquid, from the grid that the simulations use: {} cells in the section times {} layers, "
-      "{} "
-      "in all, squares of {:.2f} mm cut exactly by the round wall. A cut square of less than half its area is joined "
-      "to "
-      "its neighbour towards the axis (shaded). The two largest spheres are drawn to scale. The paper has {:g} "
-      "hexahedra, "
-      "finer towards the wall, {:.2f} mm in the mean; its mesh is a picture only.",
-      grid.cells(), grid.layers(), grid.size(), 1e3 * grid.spacing(0), peng_2014().value("cell_count"),
-      1e3 * paper_cell);
+  const double hexahedra = peng_2014().value("cell_count");
+  const double paper_cell = std::cbrt(grid.section_area() * grid.column_height() / hexahedra);
+  FigureOutput output{"fig02",
+                      {},
+                      folder.caption({{"section_cells", fmt::format("{}", grid.cells())},
+                                      {"layers", fmt::format("{}", grid.layers())},
+                                      {"cells", fmt::format("{}", grid.size())},
+                                      {"square", fmt::format("{:.2f}", 1e3 * grid.spacing(0))},
+                                      {"paper_cells", fmt::format("{:g}", hexahedra)},
+                                      {"paper_cell", fmt::format("{:.2f}", 1e3 * paper_cell)}}),
+                      {"No simulation stands behind this picture."}};
   const DataTable section = section_edges(grid), side = side_edges(grid), joined = joined_squares(grid);
   for (const auto* table : {&section, &side, &joined}) output.data.push_back(write_csv(*table, context.out));
 
-  const Canvas canvas{760, 380};
-  const double radius = 1e3 * grid.radius();
-  // One scale within each panel: 270 pixels for 58 mm of the section, 110 mm of the part and 1 m of the domain.
-  const std::string script = fmt::format(
-      "height = {canvas}.0\nset multiplot\nunset grid\nunset key\nunset border\nunset tics\nset size ratio -1\nmm = "
-      "1000.0\n"
-      "set style fill solid 0.25 noborder\n"
-      "set tmargin at screen 1 - 30.0/height\nset bmargin at screen 26.0/height\nset lmargin at screen 0.01\nset "
-      "rmargin at "
-      "screen 0.15\nset title 'domain' font ',13' offset 0,-0.4\nset xrange [-80:80]\nset yrange [-70:{height:.6g}]\n"
-      "set object 1 rectangle from -{radius:g}, 0 to {radius:g}, {column:g} fillstyle empty border linecolor rgb "
-      "'#2b3138' "
-      "linewidth 1.2\n"
-      "set object 2 rectangle from -{radius:g}, 0 to {radius:g}, {part:g} fillcolor rgb ours fillstyle solid 0.2 "
-      "noborder\n"
-      "set arrow 1 from 52, 0 to 52, {column:g} heads size 12,20 linecolor rgb quiet\n"
-      "set label 1 '{column:g} mm' at 88, {middle:g} rotate by 90 center font ',11'\n"
-      "do for [i=-1:1] {{ set arrow 5+i from i*16, -40 to i*16, -4 head size 14,20 linecolor rgb ours }}\n"
-      "plot NaN\nunset object 1\nunset object 2\nunset arrow\nunset label 1\n"
-      "set lmargin at screen 0.17\nset rmargin at screen 0.42\nset title 'plane y = 0, lowest {part:g} mm'\n"
-      "set xrange [-30:30]\nset yrange [-4:{part_top:g}]\n"
-      "plot '{side}.csv' skip 1 using (mm*$1):(mm*$2):(mm*$3):(mm*$4) with vectors nohead linecolor rgb '#5b6470' "
-      "linewidth "
-      "0.8\n"
-      "set lmargin at screen 0.44\nset rmargin at screen 0.99\nset title 'section'\n"
-      "set xrange [-31:45]\nset yrange [-34:28]\nset trange [0:2*pi]\nset parametric\n"
-      "set object 3 circle at -9, 0 size {steel:g} fillcolor rgb '#c0392b' fillstyle solid 0.75 noborder front\n"
-      "set object 4 circle at 9, 0 size {glass:g} fillcolor rgb ours fillstyle solid 0.45 noborder front\n"
-      "set label 3 '{steel_mm:g} mm' at -9, -5 center font ',11' textcolor rgb '#c0392b' front\n"
-      "set label 4 '{glass_mm:g} mm' at 9, -5 center font ',11' textcolor rgb ours front\n"
-      "set arrow 2 from -{radius:g}, -29 to {radius:g}, -29 heads size 1.2,20 linecolor rgb quiet\n"
-      "set label 2 '{diameter:g} mm' at 0, -32 center font ',11'\n"
-      "set label 5 'shaded: joined to' at 28, 25 font ',11' textcolor rgb law_three\n"
-      "set label 6 'the next square' at 28, 22 font ',11' textcolor rgb law_three\n"
-      "plot '{joined}.csv' skip 1 using (mm*$1):(mm*$2):(mm*$3):(mm*$4) with boxxyerror linecolor rgb law_three, "
-      "'{section}.csv' skip 1 using (mm*$1):(mm*$2):(mm*$3):(mm*$4) with vectors nohead linecolor rgb '#5b6470' "
-      "linewidth "
-      "0.9, {radius:g}*cos(t), {radius:g}*sin(t) with lines linecolor rgb '#14181d' linewidth 1.8\nunset multiplot\n",
-      fmt::arg("canvas", canvas.height), fmt::arg("radius", radius), fmt::arg("diameter", 2.0 * radius),
-      fmt::arg("column", 1e3 * grid.column_height()), fmt::arg("height", 1e3 * grid.column_height() + 20.0),
-      fmt::arg("middle", 500.0 * grid.column_height()), fmt::arg("part", 1e3 * part_height),
-      fmt::arg("part_top", 1e3 * part_height + 4.0), fmt::arg("side", side.name), fmt::arg("section", section.name),
-      fmt::arg("joined", joined.name), fmt::arg("steel", 500.0 * species[1].diameter),
-      fmt::arg("glass", 500.0 * species[0].diameter), fmt::arg("steel_mm", 1e3 * species[1].diameter),
-      fmt::arg("glass_mm", 1e3 * species[0].diameter));
-  draw_figure("fig02", script, canvas, context.out);
+  PlotValues values;
+  values.number("radius", 1e3 * grid.radius());
+  values.number("column_height", 1e3 * grid.column_height());
+  values.number("part", 1e3 * part_height);
+  values.number("steel", 1e3 * species[1].diameter);
+  values.number("glass", 1e3 * species[0].diameter);
+  draw_plot("fig02", folder.plot(), values, {760, 380}, context.out);
   return output;
 }
 
 }  // namespace
 
-Figure fig02() { return {"fig02", "Domain and mesh", needs, draw, "peng_2014/fig02_mesh"}; }
+Figure fig02() { return {"fig02", folder.title(), needs, draw, folder.path().string()}; }
 
 }  // namespace slfb

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "experiments/figures/figure_folder.hpp"
 #include "experiments/figures/figure_support.hpp"
 #include "experiments/figures/sphere_picture.hpp"
 #include "experiments/peng_2014/figures.hpp"
@@ -11,6 +12,8 @@
 
 namespace slfb {
 namespace {
+
+const FigureFolder folder{"peng_2014/fig06_snapshots"};
 
 constexpr const char* system_name = "6in5W";
 constexpr std::array velocities{0.07, 0.06, 0.05, 0.04, 0.03};  ///< in the order of the paper's panels [m/s]
@@ -34,66 +37,49 @@ std::string printed_end(double velocity) {
 
 FigureOutput draw(const FigureContext& context) {
   const auto keys = needs(context.profile);
-  FigureOutput output{"fig06", {}, "", run_notes(context, keys)};
-  output.caption =
-      "The bed of 5 mm glass with the 6 mm steel sphere (red) at the end of its fall, or of the time it was followed, "
-      "around minimum fluidisation: our first drop, rendered from the positions of the spheres. Spheres in front of "
-      "the "
-      "plane y = 0 are left out, those farther behind it are paler. Below: the time since the release, and what the "
-      "paper "
-      "says of the same panel.";
-  const double panel_width = 0.155, pitch = 0.17, left = 0.13;
-  const int width = 560;
+  FigureOutput output{"fig06", {}, folder.caption(), run_notes(context, keys)};
+  constexpr double panel_width = 0.155;  // over that of the picture
+  constexpr int width = 560;
+  // One scale for width and height: 0.05 m across. Above and below the panels stand 34 and 56 pixels of text.
   const int panel_height = static_cast<int>(panel_width * width * upper_height / 0.05);
-  std::string script = fmt::format(
-      "set multiplot\nunset grid\nunset key\nset border 15 linecolor rgb '#9aa3ad'\nunset xtics\nset ytics 0, 0.1\n"
-      "set xrange [-0.025:0.025]\nset yrange [0:{}]\nset tmargin at screen 1 - 34.0/height\n"
-      "set bmargin at screen 1 - {}.0/height\n"
-      "set label 5 'U_L [m/s]' at screen 0.012, screen 1 - 17.0/height font ',12'\n"
-      "set label 3 'ours' at screen 0.012, screen base + 38.0/height font ',12' textcolor rgb ours\n"
-      "set label 4 'paper' at screen 0.012, screen base + 16.0/height font ',12'\n",
-      upper_height, 34 + panel_height);
-  for (std::size_t place = 0; place < velocities.size(); ++place) {
-    const std::string tag = fmt::format("{:.2f}", velocities[place]);
+  std::vector<std::string> tags, tables, simulated, printed, missing;
+  for (const double velocity : velocities) {
+    const std::string tag = fmt::format("{:.2f}", velocity);
     const FinishedRun* run = find_run(context, fmt::format("{}/{}", system_name, tag));
     const Snapshot* last = nullptr;
     if (run != nullptr)
       for (const Snapshot& snapshot : run->result.snapshots)
         if (snapshot.moment == "ends") last = &snapshot;
-    const double edge = left + pitch * static_cast<double>(place);
-    std::string ours = "–", plot = "NaN";
-    if (last != nullptr) {
-      const DataTable picture =
-          sphere_picture(*last, {.lower_x = -0.025, .upper_x = 0.025, .lower_z = 0.0, .upper_z = upper_height},
-                         "fig06_spheres_" + tag);
-      output.data.push_back(write_csv(picture, context.out));
-      plot = plot_sphere_picture(picture.name, panel_width * width / 0.05);
-      const DropSeries& drop = run->result.drops.front();
-      const double end = drop.bottom_time >= 0.0 ? drop.bottom_time : drop.time.back();
-      ours = fmt::format("{}{:.2f} s", drop.bottom_time >= 0.0 ? "bottom, " : "", end);
+    tags.push_back(tag);
+    printed.push_back(printed_end(velocity));
+    missing.push_back(last != nullptr ? "" : run == nullptr ? "not yet simulated" : "positions not recorded");
+    if (last == nullptr) {
+      tables.emplace_back();
+      simulated.emplace_back("–");
+      continue;
     }
-    script += fmt::format(
-        "set lmargin at screen {:.4f}\nset rmargin at screen {:.4f}\nset title '{}' font ',13' offset 0,-0.6\n"
-        "set label 1 '{}' at graph 0.5, screen base + 38.0/height center font ',11' textcolor rgb ours\n"
-        "set label 2 '{}' at graph 0.5, screen base + 16.0/height center font ',11'\n"
-        "set label 6 '{}' at graph 0.5, 0.5 center rotate by 90 font ',12' textcolor rgb quiet\n"
-        "{}\nplot {}\n",
-        edge, edge + panel_width, tag, ours, printed_end(velocities[place]),
-        last != nullptr  ? ""
-        : run == nullptr ? "not yet simulated"
-                         : "positions not recorded",
-        place == 0 ? "set ylabel 'height z [m]' offset 0.8,0" : "set format y ''\nunset ylabel", plot);
-    if (place == 0) script += "eval footer_drawn\nunset label 3\nunset label 4\nunset label 5\n";
+    const DataTable picture = sphere_picture(
+        *last, {.lower_x = -0.025, .upper_x = 0.025, .lower_z = 0.0, .upper_z = upper_height}, "fig06_spheres_" + tag);
+    output.data.push_back(write_csv(picture, context.out));
+    tables.push_back(picture.name);
+    const DropSeries& drop = run->result.drops.front();
+    const double end = drop.bottom_time >= 0.0 ? drop.bottom_time : drop.time.back();
+    simulated.push_back(fmt::format("{}{:.2f} s", drop.bottom_time >= 0.0 ? "bottom, " : "", end));
   }
-  draw_figure_of_runs("fig06", script + "unset multiplot\n", {width, 34 + panel_height + 56}, context, keys);
+  PlotValues values;
+  values.number("upper_height", upper_height);
+  values.number("panel_width", panel_width);
+  values.texts("velocity", tags);
+  values.markups("spheres_table", tables);
+  values.texts("simulated", simulated);
+  values.texts("printed", printed);
+  values.texts("missing", missing);
+  draw_plot_of_runs("fig06", folder.plot(), values, {width, 34 + panel_height + 56}, context, keys);
   return output;
 }
 
 }  // namespace
 
-Figure fig06() {
-  return {"fig06", "The bed at the end of the fall around minimum fluidisation", needs, draw,
-          "peng_2014/fig06_snapshots"};
-}
+Figure fig06() { return {"fig06", folder.title(), needs, draw, folder.path().string()}; }
 
 }  // namespace slfb

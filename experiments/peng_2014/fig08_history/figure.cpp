@@ -5,7 +5,10 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <tuple>
+#include <utility>
 
+#include "experiments/figures/figure_folder.hpp"
 #include "experiments/figures/figure_support.hpp"
 #include "experiments/peng_2014/figures.hpp"
 #include "experiments/peng_2014/paper_conditions.hpp"
@@ -17,6 +20,8 @@
 namespace slfb {
 namespace {
 
+const FigureFolder folder{"peng_2014/fig08_history"};
+
 constexpr double superficial_velocity = 0.10;  // the one that the paper shows [m/s]
 
 std::vector<std::string> needs(const Profile& profile) {
@@ -26,19 +31,15 @@ std::vector<std::string> needs(const Profile& profile) {
   });
 }
 
+/// One of the six panels; panel k shows column k + 1 of the history, both counted from zero.
 struct Panel {
-  const char* title;
-  int column;
-  int fall_column;      // of the sphere alone in clear liquid; 0: not drawn
-  double lower, upper;  // of the axis while nothing is simulated
+  std::size_t fall_column;  ///< of the sphere alone in clear liquid; 0, which is time: not drawn
+  double lower, upper;      ///< of the axis while nothing is simulated
 };
 
-constexpr std::array<Panel, 6> panel_list{{{"height z [m]", 2, 2, 0.0, 1.0},
-                                           {"vertical velocity v_z [m/s]", 3, 3, -1.0, 0.0},
-                                           {"angular speed |ω| [rad/s]", 4, 0, 0.0, 40.0},
-                                           {"voidage at the sphere α_L [-]", 5, 0, 0.4, 1.0},
-                                           {"vertical liquid velocity at the sphere u_z [m/s]", 6, 0, 0.0, 0.4},
-                                           {"Reynolds number Re_p [-]", 7, 4, 0.0, 8000.0}}};
+/// Height, vertical velocity, angular speed, voidage, liquid velocity, Reynolds number.
+constexpr std::array<Panel, 6> panels{
+    {{1, 0.0, 1.0}, {2, -1.0, 0.0}, {0, 0.0, 40.0}, {0, 0.4, 1.0}, {0, 0.0, 0.4}, {3, 0.0, 8000.0}}};
 
 /// Mean height of the top of the bed over the second half of the time before the release.
 std::optional<double> bed_top_before(const BedSeries& bed, double release_time) {
@@ -88,56 +89,40 @@ double tic_step(double extent) {
   return power;
 }
 
-/// Six panels above each other that share the time axis. `entry` is the instant of entering the bed, not a number when
-/// that is not known.
-std::string panels(const DataTable& history, const DataTable& fall, double end, double entry) {
-  const bool simulated = !history.rows.empty();
-  std::string script = fmt::format(
-      "set multiplot\nset lmargin at screen 0.125\nset rmargin at screen 0.97\nset xrange [0:{:.3f}]\n"
-      "set format x ''\nset xtics {:.6g}\nbottom = base + 58.0/height\npitch = (1 - bottom)/6\n"
-      "set label 5 'red: one sphere alone in clear liquid' at graph 0.99, 0.85 right font ',11' textcolor rgb "
-      "law_one\n",
-      end, tic_step(end));
-  if (std::isfinite(entry))
-    script += fmt::format(
-        "set arrow 1 from {0:.4f}, graph 0 to {0:.4f}, graph 1 nohead linestyle 20\n"
-        "set label 1 '  in the bed' at {0:.4f}, graph 0.12 font ',11' textcolor rgb quiet\n"
-        "set label 2 'in liquid  ' at {0:.4f}, graph 0.12 right font ',11' textcolor rgb quiet\n",
-        entry);
-  for (std::size_t index = 0; index < panel_list.size(); ++index) {
-    const auto& panel = panel_list[index];
-    double lower = panel.lower, upper = panel.upper;
-    if (simulated) {
-      lower = std::numeric_limits<double>::infinity();
-      upper = -lower;
-      for (const auto& row : history.rows) {
-        lower = std::min(lower, row[static_cast<std::size_t>(panel.column) - 1]);
-        upper = std::max(upper, row[static_cast<std::size_t>(panel.column) - 1]);
+/// Smallest and largest value of one column.
+std::pair<double, double> range(const DataTable& table, std::size_t column) {
+  double lower = std::numeric_limits<double>::infinity(), upper = -lower;
+  for (const auto& row : table.rows) {
+    lower = std::min(lower, row[column]);
+    upper = std::max(upper, row[column]);
+  }
+  return {lower, upper};
+}
+
+/// The axes of the six panels: from one mark to another, around all that is drawn.
+void add_axes(const DataTable& history, const DataTable& fall, PlotValues& values) {
+  std::vector<double> lowers, uppers, steps, fall_columns;
+  for (std::size_t k = 0; k < panels.size(); ++k) {
+    const Panel& panel = panels[k];
+    auto [lower, upper] = std::pair{panel.lower, panel.upper};
+    if (!history.rows.empty()) {
+      std::tie(lower, upper) = range(history, k + 1);
+      if (panel.fall_column > 0) {
+        const auto [lower_fall, upper_fall] = range(fall, panel.fall_column);
+        lower = std::min(lower, lower_fall);
+        upper = std::max(upper, upper_fall);
       }
-      if (panel.fall_column > 0)
-        for (const auto& row : fall.rows) {
-          lower = std::min(lower, row[static_cast<std::size_t>(panel.fall_column) - 1]);
-          upper = std::max(upper, row[static_cast<std::size_t>(panel.fall_column) - 1]);
-        }
     }
     const double step = tic_step(std::max(upper - lower, 1e-6));
-    script += fmt::format(
-        "set tmargin at screen 1 - {0}*pitch - 26.0/height\nset bmargin at screen 1 - {1}*pitch\n"
-        "set label 3 '{2}' at graph 0, graph 1.12 font ',12'\nset yrange [{3:.6g}:{4:.6g}]\nset ytics {5:.6g}\n",
-        index, index + 1, panel.title, step * std::floor(lower / step), step * std::ceil(upper / step), step);
-    if (index + 1 == panel_list.size())
-      script += "set format x '%g'\nset xlabel 'time since release [s]' offset 0,0.3\n";
-    script += simulated
-                  ? fmt::format("plot '{}.csv' skip 1 using 1:{} with lines linestyle 2 linewidth 1.3 notitle",
-                                history.name, panel.column)
-                  : "set label 4 'not yet simulated' at graph 0.5, 0.5 center textcolor rgb quiet\nplot NaN notitle";
-    if (panel.fall_column > 0)
-      script +=
-          fmt::format(", '{}.csv' skip 1 using 1:{} with lines linestyle 11 notitle", fall.name, panel.fall_column);
-    script += "\n";
-    if (index == 0) script += "eval footer_drawn\nunset label 1\nunset label 2\nunset label 5\n";
+    lowers.push_back(step * std::floor(lower / step));
+    uppers.push_back(step * std::ceil(upper / step));
+    steps.push_back(step);
+    fall_columns.push_back(panel.fall_column > 0 ? static_cast<double>(panel.fall_column + 1) : 0.0);
   }
-  return script + "unset multiplot\n";
+  values.numbers("lower", lowers);
+  values.numbers("upper", uppers);
+  values.numbers("step", steps);
+  values.numbers("fall_column", fall_columns);
 }
 
 FigureOutput draw(const FigureContext& context) {
@@ -145,15 +130,7 @@ FigureOutput draw(const FigureContext& context) {
   const std::string key = run_key("6in5W", superficial_velocity);
   const FinishedRun* run = find_run(context, key);
   if (run != nullptr && run->result.drops.empty()) run = nullptr;
-  FigureOutput output{"fig08", {}, "", run_notes(context, keys)};
-  output.caption =
-      "First steel sphere (6 mm) released above the bed of 5 mm glass at U_L = 0.10 m/s: height, vertical and "
-      "angular velocity, voidage and vertical liquid velocity at the sphere, and its Reynolds number (Eq. 25). It "
-      "accelerates, falls steadily through clear liquid and then settles through the bed. The dotted line marks the "
-      "instant at which its centre passes the mean top of the bed. Thin red: the same sphere alone in "
-      "clear liquid that rises at U_L, by the one-particle equation with Wen and Yu's drag and no added mass. The "
-      "curves of the paper are not available as "
-      "numbers, so none is drawn.";
+  FigureOutput output{"fig08", {}, folder.caption(), run_notes(context, keys)};
   double end = 4.0;  // of the time axis while nothing is simulated [s]
   double entry = std::numeric_limits<double>::quiet_NaN();
   double release_height = peng_2014().value("column_height") - 0.003;  // the whole sphere in the column [m]
@@ -178,14 +155,18 @@ FigureOutput draw(const FigureContext& context) {
   }
   const DataTable fall = clear_liquid_fall(release_height, bed_top);
   output.data.push_back(write_csv(fall, context.out));
-  draw_figure_of_runs("fig08", panels(table, fall, end, entry), {520, 800}, context, keys);
+  PlotValues values;
+  values.number("simulated", table.rows.empty() ? 0.0 : 1.0);
+  values.number("end", end);
+  values.number("time_step", tic_step(end));
+  values.number("entry", entry);
+  add_axes(table, fall, values);
+  draw_plot_of_runs("fig08", folder.plot(), values, {520, 800}, context, keys);
   return output;
 }
 
 }  // namespace
 
-Figure fig08() {
-  return {"fig08", "History of the steel sphere at U_L = 0.10 m/s", needs, draw, "peng_2014/fig08_history"};
-}
+Figure fig08() { return {"fig08", folder.title(), needs, draw, folder.path().string()}; }
 
 }  // namespace slfb

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <set>
 
+#include "experiments/figures/figure_folder.hpp"
 #include "experiments/figures/figure_support.hpp"
 #include "experiments/peng_2014/figures.hpp"
 #include "experiments/quantities/analysis.hpp"
@@ -12,6 +13,8 @@
 
 namespace slfb {
 namespace {
+
+const FigureFolder folder{"peng_2014/fig09_trajectories"};
 
 bool wanted(const RunSpec& spec) { return spec.system == "6in5W" && spec.variant.empty(); }
 
@@ -50,16 +53,11 @@ bool tabulate(const FigureContext& context, double velocity, DataTable& samples,
 
 FigureOutput draw(const FigureContext& context) {
   const auto keys = needs(context.profile);
-  FigureOutput output{"fig09", {}, "", run_notes(context, keys)};
-  output.caption = fmt::format(
-      "Height of the steel sphere between {:.1f} and {:.1f} m above the distributor, one panel per superficial "
-      "velocity. "
-      "Thin blue lines: each simulated drop, sampled, with its fitted straight line; dashed black: the line that the "
-      "paper "
-      "prints for its single drop. Every curve starts its clock where its own line passes {:.1f} m, so that slopes "
-      "(classification velocities) can be compared whatever the height of release and the swelling of the bed; the "
-      "arrival times themselves stand in Table 2. Each panel has its own axis of time.",
-      classification_window_bottom, classification_window_top, classification_window_top);
+  const std::string top = fmt::format("{:.1f}", classification_window_top);
+  FigureOutput output{"fig09",
+                      {},
+                      folder.caption({{"bottom", fmt::format("{:.1f}", classification_window_bottom)}, {"top", top}}),
+                      run_notes(context, keys)};
 
   std::set<double> velocities;
   for (const auto& spec : context.profile.runs)
@@ -74,85 +72,52 @@ FigureOutput draw(const FigureContext& context) {
 
   const int columns = std::min<int>(3, static_cast<int>(velocities.size()));
   const int rows = (static_cast<int>(velocities.size()) + columns - 1) / columns;
-  std::string script = fmt::format(
-      "set multiplot\ncolumns = {}\nrows = {}\nleft = 0.1\nright = 0.985\nbottom = base + 60.0/height\ntop = 1 - "
-      "62.0/height\n"
-      "gap_x = 0.03\ngap_y = 52.0/height\nwide = (right - left - (columns - 1)*gap_x)/columns\n"
-      "high = (top - bottom - (rows - 1)*gap_y)/rows\nset yrange [0.09:0.21]\nset ytics 0.1, 0.05\nunset key\n",
-      columns, rows);
-  int place = 0;
-  std::string panels;
+  std::vector<std::string> tags, tables;
+  std::vector<double> first_drops, drop_counts, slopes, paper_slopes, longest_times;
   for (const double velocity : velocities) {
     const std::string tag = fmt::format("{:.2f}", velocity);
     DataTable samples{"fig09_drops_" + tag, {"drop [-]", "time since the line passes 0.2 m [s]", "height [m]"}, {}};
     DataTable fits{"fig09_fits_" + tag,
                    {"drop [-]", "classification velocity [m/s]", "R^2 [-]", "release on the clock of the bed [s]"},
                    {}};
-    const bool simulated = tabulate(context, velocity, samples, fits);
-    std::string plot;
     double longest = 0.0;  // time that a straight line takes through the window
-    if (simulated) {
+    tags.push_back(tag);
+    tables.emplace_back();
+    first_drops.push_back(static_cast<double>(slopes.size() + 1));
+    if (tabulate(context, velocity, samples, fits)) {
       output.data.push_back(write_csv(samples, context.out));
       output.data.push_back(write_csv(fits, context.out));
-      for (const auto& row : fits.rows) longest = std::max(longest, 0.1 / row[1]);
-      for (std::size_t drop = 1; drop <= fits.rows.size(); ++drop)
-        plot += fmt::format(
-            "'{}.csv' skip 1 using ($1=={} ? $2 : NaN):3 with lines linecolor rgb pale_2 linewidth 2.2, "
-            "0.2 - {:.6g}*x with lines linecolor rgb '#003f63' linewidth 0.9, ",
-            samples.name, drop, fits.rows[drop - 1][1]);
+      tables.back() = samples.name;
+      for (const auto& row : fits.rows) {
+        slopes.push_back(row[1]);
+        longest = std::max(longest, 0.1 / row[1]);
+      }
     }
+    drop_counts.push_back(static_cast<double>(fits.rows.size()));
     const auto& table2 = peng_2014().table2();
     const auto printed = std::find_if(table2.begin(), table2.end(), [&](const Table2Row& row) {
       return std::fabs(row.superficial_velocity - velocity) < 1e-6;
     });
-    if (printed != table2.end()) {
-      longest = std::max(longest, 0.1 / printed->classification_velocity);
-      plot += fmt::format("0.2 - {:.6g}*x with lines linestyle 1", printed->classification_velocity);
-    } else {
-      plot += "NaN";
-    }
-    const int row = place / columns;
-    const int column = place % columns;
-    panels += fmt::format(
-        "set lmargin at screen left + {0}*(wide + gap_x)\nset rmargin at screen left + {0}*(wide + gap_x) + wide\n"
-        "set tmargin at screen top - {1}*(high + gap_y)\nset bmargin at screen top - {1}*(high + gap_y) - high\n"
-        "set title 'U_L = {2} m/s' font ',13' offset 0,-0.7\n"
-        "set label 1 '{3}' at graph 0.97, 0.92 right font ',11' textcolor rgb quiet\n",
-        column, row, tag, simulated ? "" : "not yet simulated");
-    panels += column == 0 ? "set format y '%.2f'\nset ylabel 'height z [m]' offset 0.8,0\n"
-                          : "set format y ''\nunset ylabel\n";
-    if (!(longest > 0.0)) longest = 1.0;
-    panels += fmt::format("set xrange [{:.3g}:{:.4g}]\nset xtics {:g}\n", -0.08 * longest, 1.15 * longest,
-                          longest > 2.0   ? 1.0
-                          : longest > 0.8 ? 0.5
-                                          : 0.2);
-    if (place + columns >= static_cast<int>(velocities.size()))
-      panels += "set xlabel 'time since z = 0.2 m [s]' offset 0,0.4\n";
-    panels += "plot " + plot + "\n";
-    if (place == 0) panels += "eval footer_drawn\n";
-    ++place;
+    if (printed != table2.end()) longest = std::max(longest, 0.1 / printed->classification_velocity);
+    paper_slopes.push_back(printed != table2.end() ? printed->classification_velocity : std::nan(""));
+    longest_times.push_back(longest > 0.0 ? longest : 1.0);
   }
-  // The key has the width of the picture, so it is a plot of its own; gnuplot's would wrap differently in each format.
-  const std::string key =
-      "set lmargin at screen left\nset rmargin at screen right\nset tmargin at screen 1 - 6.0/height\n"
-      "set bmargin at screen 1 - 30.0/height\nunset title\nunset label 1\nunset border\nunset tics\nunset "
-      "xlabel\nunset ylabel\n"
-      "set arrow 1 from 0.00, 0.5 to 0.08, 0.5 nohead linecolor rgb pale_2 linewidth 2.2\nset label 11 'drops' at "
-      "0.10, 0.5\n"
-      "set arrow 2 from 0.28, 0.5 to 0.36, 0.5 nohead linecolor rgb '#003f63' linewidth 0.9\nset label 12 'straight "
-      "lines' at "
-      "0.38, 0.5\n"
-      "set arrow 3 from 0.70, 0.5 to 0.78, 0.5 nohead linestyle 1\nset label 13 'paper' at 0.80, 0.5\n"
-      "plot [0:1][0:1] NaN notitle\n";
-  script += panels + key + "unset multiplot\n";
-  draw_figure_of_runs("fig09", script, {780, 100 + 200 * rows}, context, keys);
+  PlotValues values;
+  values.number("columns", columns);
+  values.number("rows", rows);
+  values.texts("velocity", tags);
+  values.markups("samples", tables);
+  values.numbers("first_drop", first_drops);
+  values.numbers("drops", drop_counts);
+  values.numbers("longest", longest_times);
+  values.numbers("paper_slope", paper_slopes);
+  values.numbers("slope", slopes);
+  draw_plot_of_runs("fig09", folder.plot(), values, {780, 100 + 200 * rows}, context, keys);
   return output;
 }
 
 }  // namespace
 
-Figure fig09() {
-  return {"fig09", "Trajectories in the window of the velocity fit", needs, draw, "peng_2014/fig09_trajectories"};
-}
+Figure fig09() { return {"fig09", folder.title(), needs, draw, folder.path().string()}; }
 
 }  // namespace slfb

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "experiments/figures/figure_folder.hpp"
 #include "experiments/figures/figure_support.hpp"
 #include "experiments/peng_2014/figures.hpp"
 #include "experiments/reference/reference_data.hpp"
@@ -10,6 +11,8 @@
 
 namespace slfb {
 namespace {
+
+const FigureFolder folder{"peng_2014/fig13_void_fraction"};
 
 std::vector<std::string> needs(const Profile& profile) {
   return select_run_keys(profile, [](const RunSpec& spec) {
@@ -30,91 +33,60 @@ DataTable cells(const PlaneField& plane, const std::string& name) {
   return table;
 }
 
-/// Half the width of a cell, a little widened so that no seam of background shows between neighbours.
-double half_cell(const std::vector<double>& centres) {
-  return centres.size() < 2 ? 0.0 : 0.52 * (centres[1] - centres[0]);
-}
+/// Distance of neighbouring cells [m].
+double cell_size(const std::vector<double>& centres) { return centres.size() < 2 ? 0.0 : centres[1] - centres[0]; }
 
 FigureOutput draw(const FigureContext& context) {
   const auto keys = needs(context.profile);
   const auto& printed = peng_2014().figure13();
-  FigureOutput output{"fig13", {}, "", run_notes(context, keys)};
-  output.caption =
-      "Voidage in the plane y = 0 at the end of the fluidisation stage, on the cells of the fluid grid. Below each "
-      "panel: "
-      "the mean voidage of our bed (from twice the height of its centre of mass, averaged over time) and the one "
-      "printed "
-      "in the paper; the panels are 50 mm wide. The paper shows the field after 20 s; its picture is not available as "
-      "numbers.";
+  FigureOutput output{"fig13", {}, folder.caption(), run_notes(context, keys)};
 
   DataTable means{"fig13_means",
                   {"superficial velocity [m/s]", "voidage of the paper [-]", "simulated voidage [-]",
                    "half width of its 95 % interval [-]"},
                   {}};
-  const double panel_width = 0.112;
-  // Width and height of a panel share one scale: 0.05 m across, 0.4 m up.
-  const Canvas canvas{560, static_cast<int>(8.0 * panel_width * 560) + 34 + 62};
-  std::string script =
-      "set multiplot\nset xrange [-0.025:0.025]\nset yrange [0:0.4]\nset cbrange [0.4:1]\nunset grid\nunset key\nset "
-      "border 15\n"
-      "unset xtics\nset ytics 0, 0.1\nset tmargin at screen 1 - 34.0/height\nset bmargin at screen base + 62.0/height\n"
-      "set colorbox user origin 0.89, base + 62.0/height size 0.022, 1 - base - 96.0/height\nset cbtics 0.4, 0.1 out "
-      "scale 0.5\n";
-  std::size_t place = 0;
+  std::vector<std::string> tags, tables, simulated, paper;
+  std::vector<double> cells_x, cells_z;
   for (const auto& point : printed) {
     const std::string tag = fmt::format("{:.2f}", point.superficial_velocity);
     const std::string key = run_key("6in5W", point.superficial_velocity);
     const FinishedRun* run = find_run(context, key);
     if (run != nullptr && run->result.plane.voidage.empty()) run = nullptr;
-    const auto measured =
+    const auto found =
         context.measurements.find(measure_key("voidage_centre_of_mass", "6in5W", point.superficial_velocity));
-    std::string ours = "–";
-    if (measured != context.measurements.end()) {
-      ours = fmt::format("{:.3f}", measured->second.value);
-      means.rows.push_back(
-          {point.superficial_velocity, point.voidage, measured->second.value, measured->second.half_width});
-    } else {
-      means.rows.push_back({point.superficial_velocity, point.voidage, std::nan(""), std::nan("")});
-    }
-    const double left = 0.135 + 0.124 * static_cast<double>(place);
-    script += fmt::format(
-        "set lmargin at screen {:.4f}\nset rmargin at screen {:.4f}\nset title '{}' font ',13' offset 0,-0.6\n"
-        "set label 1 '{}' at graph 0.5, screen base + 40.0/height center font ',12' textcolor rgb ours\n"
-        "set label 2 '{:.2f}' at graph 0.5, screen base + 18.0/height center font ',12' textcolor rgb paper\n",
-        left, left + panel_width, tag, ours, point.voidage);
-    if (place == 0)
-      script +=
-          "set ylabel 'height z [m]' offset 1,0\nset label 3 'ours' at screen 0.015, screen base + 40.0/height font "
-          "',12' "
-          "textcolor rgb ours\nset label 4 'paper' at screen 0.015, screen base + 18.0/height font ',12'\n"
-          "set label 5 'U_L [m/s]' at screen 0.015, screen 1 - 16.0/height font ',12'\n"
-          "set label 7 'α_L [-]' at screen 0.985, screen 1 - 16.0/height right font ',12'\n";
-    if (run != nullptr) {
-      const DataTable table = cells(run->result.plane, "fig13_plane_" + tag);
-      output.data.push_back(write_csv(table, context.out));
-      script += fmt::format(
-          "plot '{}.csv' skip 1 using 1:2:({:.6g}):({:.6g}):3 with boxxyerror fillstyle solid noborder linecolor "
-          "palette\n",
-          table.name, half_cell(run->result.plane.x), half_cell(run->result.plane.z));
-    } else {
-      script +=
-          "set label 6 'not yet simulated' at graph 0.5, 0.5 center rotate by 90 textcolor rgb quiet\nplot NaN\n"
-          "unset label 6\n";
-    }
-    if (place == 0)
-      script +=
-          "eval footer_drawn\nunset ylabel\nunset label 3\nunset label 4\nunset label 5\nunset label 7\nset format y "
-          "''\n";
-    if (run != nullptr) script += "unset colorbox\n";
-    ++place;
+    const Measurement measured = found == context.measurements.end() ? Measurement{} : found->second;
+    means.rows.push_back({point.superficial_velocity, point.voidage, measured.value, measured.half_width});
+    tags.push_back(tag);
+    tables.emplace_back();
+    simulated.push_back(std::isnan(measured.value) ? "–" : fmt::format("{:.3f}", measured.value));
+    paper.push_back(fmt::format("{:.2f}", point.voidage));
+    cells_x.push_back(run == nullptr ? std::nan("") : cell_size(run->result.plane.x));
+    cells_z.push_back(run == nullptr ? std::nan("") : cell_size(run->result.plane.z));
+    if (run == nullptr) continue;
+    const DataTable table = cells(run->result.plane, "fig13_plane_" + tag);
+    output.data.push_back(write_csv(table, context.out));
+    tables.back() = table.name;
   }
   output.data.push_back(write_csv(means, context.out));
-  draw_figure_of_runs("fig13", script + "unset multiplot\n", canvas, context, keys);
+
+  constexpr int width = 560;
+  constexpr double panel_width = 0.112;  // over that of the picture
+  PlotValues values;
+  values.number("panel_width", panel_width);
+  values.texts("velocity", tags);
+  values.markups("plane", tables);
+  values.numbers("cell_x", cells_x);
+  values.numbers("cell_z", cells_z);
+  values.texts("simulated", simulated);
+  values.texts("printed", paper);
+  // One scale for width and height: 0.05 m across, 0.4 m up. Above and below the panels stand 34 and 62 pixels of text.
+  const Canvas canvas{width, static_cast<int>(8.0 * panel_width * width) + 34 + 62};
+  draw_plot_of_runs("fig13", folder.plot(), values, canvas, context, keys);
   return output;
 }
 
 }  // namespace
 
-Figure fig13() { return {"fig13", "Void fraction in the plane y = 0", needs, draw, "peng_2014/fig13_void_fraction"}; }
+Figure fig13() { return {"fig13", folder.title(), needs, draw, folder.path().string()}; }
 
 }  // namespace slfb

@@ -4,6 +4,7 @@
 #include <functional>
 
 #include "experiments/figures/drawn_table.hpp"
+#include "experiments/figures/figure_folder.hpp"
 #include "experiments/figures/figure_support.hpp"
 #include "experiments/peng_2014/figures.hpp"
 #include "experiments/peng_2014/inconsistencies.hpp"
@@ -14,6 +15,8 @@
 
 namespace slfb {
 namespace {
+
+const FigureFolder folder{"peng_2014/table1_conditions"};
 
 std::vector<std::string> needs(const Profile&) { return {}; }
 
@@ -59,11 +62,7 @@ std::string compact(double value) {
 
 FigureOutput draw(const FigureContext& context) {
   const Scene scene = load_scene(source_folder() / "experiments" / "peng_2014" / "scenes" / "6in5W.toml", {});
-  FigureOutput output{"table1", {}, "", {"No simulation stands behind this picture."}};
-  output.caption =
-      "Conditions of the simulations: as the paper's Table 1 prints them, as our working scene has them (a profile may "
-      "change some; the notes of each figure say so), and what other numbers or laws of the paper need where they "
-      "contradict the table, computed from the printed numbers. The section on what does not add up says how.";
+  FigureOutput output{"table1", {}, folder.caption(), {"No simulation stands behind this picture."}};
   const auto doubts = inconsistencies();
   DataTable table{
       "table1_conditions", {"row of the table [-]", "printed [SI]", "here [SI]", "needed elsewhere [SI]"}, {}};
@@ -79,18 +78,14 @@ FigureOutput draw(const FigureContext& context) {
     table.rows.push_back({static_cast<double>(rows.size()), printed.value, ours, needed});
   }
   output.data.push_back(write_csv(table, context.out));
-  constexpr int width = 690;
-  const std::vector<TableColumn> columns{{"condition", 20, true},
-                                         {"unit", 250, true, "'#56606d'"},
-                                         {"paper,\nTable 1", 410},
-                                         {"here,\n6in5W", 500, false, "ours"},
-                                         {"other numbers of\nthe paper give", 672, false, "law_one"}};
-  draw_figure("table1", table_commands(columns, rows, width), {width, table_height(rows.size())}, context.out);
+  PlotValues values;
+  const int height = add_table(rows, values);
+  draw_plot("table1", folder.plot(), values, {690, height}, context.out);
   return output;
 }
 
 }  // namespace
 
-Figure table1() { return {"table1", "Conditions of the simulations", needs, draw, "peng_2014/table1_conditions"}; }
+Figure table1() { return {"table1", folder.title(), needs, draw, folder.path().string()}; }
 
 }  // namespace slfb

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "experiments/figures/drawn_table.hpp"
+#include "experiments/figures/figure_folder.hpp"
 #include "experiments/figures/figure_support.hpp"
 #include "experiments/peng_2014/figures.hpp"
 #include "experiments/reference/reference_data.hpp"
@@ -10,6 +11,8 @@
 
 namespace slfb {
 namespace {
+
+const FigureFolder folder{"peng_2014/table2_fitted_lines"};
 
 constexpr const char* system_name = "6in5W";
 
@@ -28,14 +31,7 @@ std::string with_interval(const Measurement& measured, int digits) {
 
 FigureOutput draw(const FigureContext& context) {
   const auto keys = needs(context.profile);
-  FigureOutput output{"table2", {}, "", run_notes(context, keys)};
-  output.caption =
-      "Straight lines z = intercept − V_2 t through the fall of the 6 mm steel sphere between 0.2 and 0.1 m: the "
-      "paper's "
-      "(one drop each) and ours (mean of the drops with its 95 % interval). Time runs from the start of fluidisation "
-      "and the "
-      "drop is at 20 s, so the intercept holds the time of arrival: only drops from the paper's height have one. The "
-      "intercept printed for 0.17 m/s repeats that of 0.16.";
+  FigureOutput output{"table2", {}, folder.caption(), run_notes(context, keys)};
   DataTable table{"table2_lines",
                   {"superficial velocity [m/s]", "paper V_2 [m/s]", "V_2 [m/s]",
                    "half width of its 95 % interval [m/s]", "paper intercept [m]", "intercept [m]",
@@ -61,26 +57,14 @@ FigureOutput draw(const FigureContext& context) {
          simulated ? fmt::format("{:.4f}", r_squared.value) : "–", fmt::format("{:g}", drops)});
   }
   output.data.push_back(write_csv(table, context.out));
-  constexpr int width = 760;
-  const std::vector<TableColumn> columns{{"U_L\n[m/s]", 62},
-                                         {"V_2 [m/s]\npaper", 150},
-                                         {"\nours", 278, false, "ours"},
-                                         {"\ndifference", 368, false, "ours"},
-                                         {"intercept [m]\npaper", 462},
-                                         {"\nours", 570, false, "ours"},
-                                         {"R² [-]\npaper", 638},
-                                         {"\nours", 698, false, "ours"},
-                                         {"\ndrops", 748, false, "ours"}};
-  draw_figure_of_runs("table2", table_commands(columns, rows, width), {width, table_height(rows.size())}, context,
-                      keys);
+  PlotValues values;
+  const int height = add_table(rows, values);
+  draw_plot_of_runs("table2", folder.plot(), values, {760, height}, context, keys);
   return output;
 }
 
 }  // namespace
 
-Figure table2() {
-  return {"table2", "Straight lines through the fall of the foreign particle", needs, draw,
-          "peng_2014/table2_fitted_lines"};
-}
+Figure table2() { return {"table2", folder.title(), needs, draw, folder.path().string()}; }
 
 }  // namespace slfb

@@ -1,0 +1,21 @@
+#include "experiments/figures/figure_folder.hpp"
+#include "experiments/peng_2014/figures.hpp"
+#include "reports/gnuplot.hpp"
+
+namespace slfb {
+namespace {
+
+const FigureFolder folder{"peng_2014/fig03_settling_rig"};
+
+std::vector<std::string> needs(const Profile&) { return {}; }
+
+FigureOutput draw(const FigureContext& context) {
+  draw_plot("fig03", folder.plot(), {}, {645, 750}, context.out);
+  return {"fig03", {}, folder.caption(), {"No simulation stands behind this picture."}};
+}
+
+}  // namespace
+
+Figure fig03() { return {"fig03", folder.title(), needs, draw, folder.path().string()}; }
+
+}  // namespace slfb

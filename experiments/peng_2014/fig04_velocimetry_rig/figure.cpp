@@ -1,0 +1,21 @@
+#include "experiments/figures/figure_folder.hpp"
+#include "experiments/peng_2014/figures.hpp"
+#include "reports/gnuplot.hpp"
+
+namespace slfb {
+namespace {
+
+const FigureFolder folder{"peng_2014/fig04_velocimetry_rig"};
+
+std::vector<std::string> needs(const Profile&) { return {}; }
+
+FigureOutput draw(const FigureContext& context) {
+  draw_plot("fig04", folder.plot(), {}, {690, 750}, context.out);
+  return {"fig04", {}, folder.caption(), {"No simulation stands behind this picture."}};
+}
+
+}  // namespace
+
+Figure fig04() { return {"fig04", folder.title(), needs, draw, folder.path().string()}; }
+
+}  // namespace slfb
