@@ -33,10 +33,15 @@ do for [k=1:6] {
     set format x '%g'
     set xlabel 'time since release [s]' offset 0,0.3
   }
-  plot NaN notitle, \
-       for [i=1:simulated] 'fig08_history.csv' skip 1 using 1:k+1 with lines linestyle 2 linewidth 1.3 notitle, \
-       for [i=1:(fall_column[k] > 0)] 'fig08_clear_liquid.csv' skip 1 using 1:int(fall_column[k]) \
-         with lines linestyle 11 notitle
+  if (simulated) {
+    plot 'fig08_history.csv' skip 1 using 1:k+1 with lines linestyle 2 linewidth 1.3 notitle, \
+         for [i=1:(fall_column[k] > 0)] 'fig08_clear_liquid.csv' skip 1 using 1:int(fall_column[k]) \
+           with lines linestyle 11 notitle
+  } else {
+    plot NaN notitle, \
+         for [i=1:(fall_column[k] > 0)] 'fig08_clear_liquid.csv' skip 1 using 1:int(fall_column[k]) \
+           with lines linestyle 11 notitle
+  }
   if (k == 1) {
     eval footer_drawn
     unset label 1

@@ -26,6 +26,11 @@ FigureOutput draw(const FigureContext& context) {
                       folder.caption({{"rise_begin", fmt::format("{}", printed.value("fluctuation_rise_begin"))},
                                       {"rise_end", fmt::format("{}", printed.value("fluctuation_rise_end"))}}),
                       run_notes(context, keys)};
+  output.data.push_back(write_csv(
+      {"fig12_paper_axis",
+       {"voidage [-]", "lowest [m/s]", "highest [m/s]"},
+       {{printed.value("fluctuation_rise_begin"), 0.0, 1.0}, {printed.value("fluctuation_rise_end"), 0.0, 1.0}}},
+      context.out));
   std::vector<Series> vector, vertical;
   for (const BedSystem& system : {bed_systems[6], bed_systems[7], bed_systems[2]}) {
     const auto against_voidage = [&](const char* quantity, const char* heading) {
@@ -43,11 +48,6 @@ FigureOutput draw(const FigureContext& context) {
   PlotValues values;
   add_series("vector", vector, values, context, output);
   add_series("vertical", vertical, values, context, output);
-  output.data.push_back(write_csv(
-      {"fig12_paper_axis",
-       {"voidage [-]", "lowest [m/s]", "highest [m/s]"},
-       {{printed.value("fluctuation_rise_begin"), 0.0, 1.0}, {printed.value("fluctuation_rise_end"), 0.0, 1.0}}},
-      context.out));
   draw_plot_of_runs("fig12", folder.plot(), values, {520, 720}, context, keys);
   return output;
 }

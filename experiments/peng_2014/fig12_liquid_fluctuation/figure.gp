@@ -20,9 +20,7 @@ if (vector_count == 0) {
 }
 plot 'fig12_paper_axis.csv' skip 1 using 1:2:3 \
        with filledcurves linecolor rgb paper fillstyle solid 0.08 noborder title 'sharp rise in the paper', \
-     for [i=1:vector_count] vector[i].'.csv' skip 1 using 2:4:(0):(half_width(5)) \
-       with xyerrorbars linestyle vector_style[i] @bars, \
-     for [i=1:vector_count] vector[i].'.csv' skip 1 using 2:4:(half_width(3)):(0) \
+     for [i=1:vector_count] vector[i].'.csv' skip 1 using 2:4:(half_width(3)):(half_width(5)) \
        with xyerrorbars linestyle vector_style[i] @bars, \
      for [i=1:vector_count] vector[i].'.csv' skip 1 using 2:4 with points linestyle vector_style[i] title vector_title[i]
 eval footer_drawn
@@ -36,9 +34,7 @@ set ylabel "u'_L, vertical [m/s]" offset 0.5,0
 unset key
 plot 'fig12_paper_axis.csv' skip 1 using 1:2:3 \
        with filledcurves linecolor rgb paper fillstyle solid 0.08 noborder, \
-     for [i=1:vertical_count] vertical[i].'.csv' skip 1 using 2:4:(0):(half_width(5)) \
-       with xyerrorbars linestyle vertical_style[i] @bars, \
-     for [i=1:vertical_count] vertical[i].'.csv' skip 1 using 2:4:(half_width(3)):(0) \
+     for [i=1:vertical_count] vertical[i].'.csv' skip 1 using 2:4:(half_width(3)):(half_width(5)) \
        with xyerrorbars linestyle vertical_style[i] @bars, \
      for [i=1:vertical_count] vertical[i].'.csv' skip 1 using 2:4 with points linestyle vertical_style[i]
 unset multiplot
