@@ -116,8 +116,6 @@ DataTable pareto_front(std::vector<Outcome> outcomes) {
   return front;
 }
 
-std::vector<std::string> needs(const Profile&) { return {}; }
-
 FigureOutput draw(const FigureContext& context) {
   const auto assembly = void_fraction_study::hard_spheres(spheres, 0.5, 1);
   const double paper_cell = assembly.side / across_of_paper;
@@ -159,6 +157,6 @@ FigureOutput draw(const FigureContext& context) {
 
 }  // namespace
 
-Figure fig01() { return {"fig01", folder.title(), needs, draw, folder.path().string()}; }
+Figure fig01() { return {"fig01", folder.title(), no_runs, draw, folder.path().string()}; }
 
 }  // namespace slfb

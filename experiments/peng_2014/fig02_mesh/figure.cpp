@@ -19,8 +19,6 @@ const FigureFolder folder{"peng_2014/fig02_mesh"};
 
 constexpr double part_height = 0.1;  ///< of the column that is drawn with its mesh [m]
 
-std::vector<std::string> needs(const Profile&) { return {}; }
-
 /// Part of a straight line x = offset (or y = offset) between `from` and `to` that lies inside the round wall.
 std::pair<double, double> inside_wall(double radius, double offset, double from, double to) {
   const double half = std::sqrt(std::max(0.0, radius * radius - offset * offset));
@@ -110,6 +108,6 @@ FigureOutput draw(const FigureContext& context) {
 
 }  // namespace
 
-Figure fig02() { return {"fig02", folder.title(), needs, draw, folder.path().string()}; }
+Figure fig02() { return {"fig02", folder.title(), no_runs, draw, folder.path().string()}; }
 
 }  // namespace slfb

@@ -7,8 +7,6 @@ namespace {
 
 const FigureFolder folder{"peng_2014/fig03_settling_rig"};
 
-std::vector<std::string> needs(const Profile&) { return {}; }
-
 FigureOutput draw(const FigureContext& context) {
   draw_plot("fig03", folder.plot(), {}, {645, 750}, context.out);
   return {"fig03", {}, folder.caption(), {"No simulation stands behind this picture."}};
@@ -16,6 +14,6 @@ FigureOutput draw(const FigureContext& context) {
 
 }  // namespace
 
-Figure fig03() { return {"fig03", folder.title(), needs, draw, folder.path().string()}; }
+Figure fig03() { return {"fig03", folder.title(), no_runs, draw, folder.path().string()}; }
 
 }  // namespace slfb

@@ -7,8 +7,6 @@ namespace {
 
 const FigureFolder folder{"peng_2014/fig04_velocimetry_rig"};
 
-std::vector<std::string> needs(const Profile&) { return {}; }
-
 FigureOutput draw(const FigureContext& context) {
   draw_plot("fig04", folder.plot(), {}, {690, 750}, context.out);
   return {"fig04", {}, folder.caption(), {"No simulation stands behind this picture."}};
@@ -16,6 +14,6 @@ FigureOutput draw(const FigureContext& context) {
 
 }  // namespace
 
-Figure fig04() { return {"fig04", folder.title(), needs, draw, folder.path().string()}; }
+Figure fig04() { return {"fig04", folder.title(), no_runs, draw, folder.path().string()}; }
 
 }  // namespace slfb

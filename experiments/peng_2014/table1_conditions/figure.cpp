@@ -18,8 +18,6 @@ namespace {
 
 const FigureFolder folder{"peng_2014/table1_conditions"};
 
-std::vector<std::string> needs(const Profile&) { return {}; }
-
 /// One row: what Table 1 prints, what our working scene has, and the row of inconsistencies.cpp that doubts it.
 struct Condition {
   const char *printed, *title;
@@ -86,6 +84,6 @@ FigureOutput draw(const FigureContext& context) {
 
 }  // namespace
 
-Figure table1() { return {"table1", folder.title(), needs, draw, folder.path().string()}; }
+Figure table1() { return {"table1", folder.title(), no_runs, draw, folder.path().string()}; }
 
 }  // namespace slfb
