@@ -132,9 +132,11 @@ void PlotValues::list(const std::string& name, const std::vector<std::string>& i
 }
 
 void draw_plot(const std::string& id, const fs::path& plot, const PlotValues& values, const Canvas& canvas,
-               const fs::path& folder, const std::string& set_up, const std::vector<std::string>& formats) {
+               const fs::path& folder, const fs::path& frame, const std::vector<std::string>& formats) {
   const std::string size = fmt::format("width = {}.0\nheight = {}.0\n", canvas.width, canvas.height);
-  draw_figure(id, size + set_up + values.commands() + "\n" + with_loaded_files(plot), canvas, folder, formats);
+  draw_figure(
+      id, size + values.commands() + "\n" + (frame.empty() ? "" : with_loaded_files(frame)) + with_loaded_files(plot),
+      canvas, folder, formats);
 }
 
 void draw_figure(const std::string& id, const std::string& commands, const Canvas& canvas, const fs::path& folder,

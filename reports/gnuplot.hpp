@@ -57,9 +57,10 @@ class PlotValues {
 /// what several plots share. Runs ID.gp in `folder`, which leaves ID.svg, ID.png and ID.pdf, or those of `formats`.
 /// ID.gp names its data without a folder, so that `gnuplot ID.gp` beside the CSV files redraws the figure anywhere.
 /// Throws std::runtime_error with gnuplot's own message when gnuplot is missing, fails, or leaves a picture out.
-/// `set_up`: commands before the values, for what frames of figures have in common.
+/// `frame`:
+/// a gnuplot file that comes between the values and the plot, for what frames of figures have in common.
 void draw_plot(const std::string& id, const std::filesystem::path& plot, const PlotValues& values, const Canvas& canvas,
-               const std::filesystem::path& folder, const std::string& set_up = "",
+               const std::filesystem::path& folder, const std::filesystem::path& frame = {},
                const std::vector<std::string>& formats = {"svg", "png", "pdf"});
 
 /// Writes ID.gp into `folder` and runs it there, which leaves ID.svg, ID.png and ID.pdf, or those of `formats`. The

@@ -73,6 +73,8 @@ std::string figure_definitions(const std::string& readme) {
   std::string text = readme;
   const auto [begin, end] = caption_range(text);
   if (begin != std::string::npos) text.erase(begin, end - begin);
+  constexpr std::string_view heading = "## Definitions\n";
+  if (const std::size_t found = text.find(heading); found != std::string::npos) text.erase(found, heading.size());
   return text;
 }
 

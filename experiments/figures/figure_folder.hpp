@@ -30,7 +30,8 @@ class FigureFolder {
   std::filesystem::path folder_;
 };
 
-/// README.md of a figure's folder without its title and its caption, as Markdown: how the figure is measured.
+/// README.md of a figure's folder without its caption and the heading "## Definitions", as Markdown: how the figure is
+/// measured.
 std::string figure_definitions(const std::string& readme);
 
 }  // namespace slfb

@@ -8,6 +8,7 @@
 #include <tuple>
 
 #include "experiments/runs/measure.hpp"
+#include "solver/support/folders.hpp"
 
 namespace slfb {
 namespace {
@@ -178,28 +179,6 @@ DataTable against_bed(const FigureContext& context, std::string_view quantity, c
   return table;
 }
 
-std::string plot_against_bed(DataTable table, const std::string& title, int line_style, const FigureContext& context,
-                             FigureOutput& output) {
-  if (table.rows.empty()) return "";
-  table.name = output.id + "_" + table.name;
-  output.data.push_back(write_csv(table, context.out));
-  return fmt::format(", {}{}'{}.csv' skip 1 using 2:4 with points linestyle {} {}",
-                     error_bars(table, {2, 4, 5}, "yerrorbars", line_style),
-                     error_bars(table, {2, 4, 3}, "xerrorbars", line_style), table.name, line_style,
-                     title.empty() ? std::string("notitle") : "title " + gnuplot_text(title));
-}
-
-std::string plot_variants_against_bed(std::string_view quantity, const std::string& heading, std::string_view system,
-                                      BedAbscissa abscissa, const FigureContext& context, FigureOutput& output) {
-  std::string elements;
-  const auto variants = variants_of(context.profile, system);
-  for (std::size_t place = 0; place < variants.size(); ++place)
-    elements +=
-        plot_against_bed(against_bed(context, quantity, heading, system, variants[place], abscissa),
-                         series_title(context, system, variants[place]), slfb::line_style(place), context, output);
-  return elements;
-}
-
 void add_series(const std::string& name, const std::vector<Series>& series, PlotValues& values,
                 const FigureContext& context, FigureOutput& output) {
   std::vector<std::string> tables, titles;
@@ -277,37 +256,18 @@ std::string footer_text(const std::string& id, const FigureContext& context, con
   return present.empty() ? text + " " + contacts : contacts + " All else: " + join(others, " ");
 }
 
-/// Makes room for the text below the picture and returns the commands that draw it there.
-std::string footer_commands(const std::string& text, Canvas& canvas) {
-  const int characters = std::max(40, canvas.width / 5);
-  const auto lines = wrap(text, static_cast<std::size_t>(characters));
-  constexpr int line_height = 13;
-  const int text_height = line_height * static_cast<int>(lines.size()) + 8;
-  canvas.height += text_height;
-  std::string commands = fmt::format("base = {:.5f}\nset origin 0, base\nset size 1, 1 - base\n",
-                                     static_cast<double>(text_height) / canvas.height);
-  for (std::size_t index = 0; index < lines.size(); ++index) {
-    const double height = (text_height - 4.0 - line_height * (static_cast<double>(index) + 0.5)) / canvas.height;
-    commands += fmt::format("set label {} {} at screen 0.012, {:.5f} font ',9' textcolor rgb '#6b7580' front\n",
-                            901 + index, gnuplot_text(lines[index]), height);
-  }
-  return commands + fmt::format("footer_drawn = 'unset for [tag=901:{}] label tag'\n\n", 900 + lines.size());
-}
-
 }  // namespace
 
-void draw_plot_of_runs(const std::string& id, const std::filesystem::path& plot, const PlotValues& values,
-                       Canvas canvas, const FigureContext& context, const std::vector<std::string>& keys,
+void draw_plot_of_runs(const std::string& id, const std::filesystem::path& plot, PlotValues values, Canvas canvas,
+                       const FigureContext& context, const std::vector<std::string>& keys,
                        const std::vector<FinishedRun>& own_springs) {
-  const std::string footer = footer_commands(footer_text(id, context, keys, own_springs), canvas);
-  draw_plot(id, plot, values, canvas, context.out, footer);
-}
-
-void draw_figure_of_runs(const std::string& id, const std::string& commands, Canvas canvas,
-                         const FigureContext& context, const std::vector<std::string>& keys,
-                         const std::vector<FinishedRun>& own_springs) {
-  const std::string footer = footer_commands(footer_text(id, context, keys, own_springs), canvas);
-  draw_figure(id, fmt::format("height = {}.0\n", canvas.height) + footer + commands, canvas, context.out);
+  const int characters = std::max(40, canvas.width / 5);
+  const auto lines = wrap(footer_text(id, context, keys, own_springs), static_cast<std::size_t>(characters));
+  const int footer_height = 13 * static_cast<int>(lines.size()) + 8;
+  canvas.height += footer_height;
+  values.texts("footer", lines);
+  values.number("footer_height", footer_height);
+  draw_plot(id, plot, values, canvas, context.out, source_folder() / "experiments" / "figures" / "footer.gp");
 }
 
 }  // namespace slfb

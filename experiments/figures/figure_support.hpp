@@ -70,15 +70,6 @@ enum class BedAbscissa { voidage, solid_fraction };
 DataTable against_bed(const FigureContext& context, std::string_view quantity, const std::string& heading,
                       std::string_view system, std::string_view variant, BedAbscissa abscissa);
 
-/// Writes a table of against_bed and returns its plot elements, points with the bars of both intervals, begun by ", ";
-/// empty without rows. `title` may be empty.
-std::string plot_against_bed(DataTable table, const std::string& title, int line_style, const FigureContext& context,
-                             FigureOutput& output);
-
-/// The same for the default and every variant of one system; each file is named ID_QUANTITY_SYSTEM[_VARIANT].
-std::string plot_variants_against_bed(std::string_view quantity, const std::string& heading, std::string_view system,
-                                      BedAbscissa abscissa, const FigureContext& context, FigureOutput& output);
-
 /// A table that is drawn as one series: points with error bars.
 struct Series {
   DataTable table;
@@ -105,18 +96,11 @@ std::vector<std::string> run_notes(const FigureContext& context, const std::vect
 /// simulate it when no run of `keys` exists.
 ///
 /// The plot may use `width` and `height` (of the picture, in pixels) and `base` (the part of the height that this text
-/// takes). A figure of several plots begins with `set multiplot` and calls `eval footer_drawn` after its first plot, so
-/// that the text is drawn once. `own_springs`: the runs from which contacts and single forces are taken.
-void draw_plot_of_runs(const std::string& id, const std::filesystem::path& plot, const PlotValues& values,
-                       Canvas canvas, const FigureContext& context, const std::vector<std::string>& keys,
+/// takes, experiments/figures/footer.gp). A figure of several plots begins with `set multiplot` and says
+/// `eval footer_drawn` after its first plot, so that the text is drawn once. `own_springs`: the runs from which
+/// contacts and single forces are taken.
+void draw_plot_of_runs(const std::string& id, const std::filesystem::path& plot, PlotValues values, Canvas canvas,
+                       const FigureContext& context, const std::vector<std::string>& keys,
                        const std::vector<FinishedRun>& own_springs = {});
-
-/// Draws ID with the differences of the profile printed below it, or how to simulate it when no run of `keys` exists.
-/// `commands` may use the gnuplot variables `height` (of the picture, in pixels) and `base` (the part of it that this
-/// text takes); a figure of several plots begins with `set multiplot` and calls `eval footer_drawn` after its first
-/// plot, so that the text is drawn once. `own_springs`: the runs from which contacts and single forces are taken.
-void draw_figure_of_runs(const std::string& id, const std::string& commands, Canvas canvas,
-                         const FigureContext& context, const std::vector<std::string>& keys,
-                         const std::vector<FinishedRun>& own_springs = {});
 
 }  // namespace slfb

@@ -1,7 +1,5 @@
 #include "experiments/figures/sphere_picture.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -104,13 +102,6 @@ DataTable sphere_picture(const Snapshot& snapshot, const SphereView& view, const
     }
   }
   return table;
-}
-
-std::string plot_sphere_picture(const std::string& table_name, double pixels_per_metre) {
-  return fmt::format(
-      "'{}.csv' skip 1 using 1:2:({:.6g}/point_radius*$3):4 with points pointtype 7 pointsize variable "
-      "linewidth 0.1 linecolor rgb variable notitle",
-      table_name, pixels_per_metre);
 }
 
 }  // namespace slfb

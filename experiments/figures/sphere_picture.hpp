@@ -17,10 +17,7 @@ struct SphereView {
 };
 
 /// Discs of the visible spheres, farthest first, several per sphere for its shading. Columns: x, z, radius, colour
-/// (0xRRGGBB). The dropped sphere is red and never clipped.
+/// (0xRRGGBB). The dropped sphere is red and never clipped. A plot draws them with `@spheres` (reports/style.gp).
 DataTable sphere_picture(const Snapshot& snapshot, const SphereView& view, const std::string& name);
-
-/// gnuplot element that draws such a table in a panel of that scale [pixel/m].
-std::string plot_sphere_picture(const std::string& table_name, double pixels_per_metre);
 
 }  // namespace slfb

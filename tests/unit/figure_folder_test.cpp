@@ -71,6 +71,12 @@ TEST(FigureFolder, WordsOfCaptionAndFigureMustAgree) {
   EXPECT_EQ(figure.caption({{"weight", "676"}}), "The weight is 676 Pa.");
 }
 
+TEST(FigureFolder, DefinitionsAreTheReadmeWithoutItsCaption) {
+  EXPECT_EQ(figure_definitions("# A title\n\n## Caption\n\nAll.\n\n## Definitions\n\nHow.\n\n## More\n\nWhy.\n"),
+            "# A title\n\n\nHow.\n\n## More\n\nWhy.\n");
+  EXPECT_EQ(figure_definitions("# A title\n\nHow.\n"), "# A title\n\nHow.\n");
+}
+
 TEST(AddSeries, ListsTheSeriesThatHaveRows) {
   const Folder folder;
   const Profile profile;
@@ -99,7 +105,7 @@ TEST(AddSeries, AnEmptyListDrawsWithoutAnError) {
   write(folder.path() / "figure.gp",
         "plot 'always.csv' skip 1 using 1:2, for [i=1:mean_count] mean[i].'.csv' skip 1 using 1:2 linestyle "
         "mean_style[i]\n");
-  draw_plot("drawn", folder.path() / "figure.gp", values, {}, folder.path(), "", {"svg"});
+  draw_plot("drawn", folder.path() / "figure.gp", values, {}, folder.path(), {}, {"svg"});
   EXPECT_GT(fs::file_size(folder.path() / "drawn.svg"), 500u);
 }
 
@@ -110,7 +116,7 @@ TEST(DrawPlot, WhatAPlotLoadsStandsInItsScript) {
   write(sources.path() / "figure" / "figure.gp", "load '../shared.gp'\nplot shared + offset\n");
   PlotValues values;
   values.number("offset", 2.0);
-  draw_plot("drawn", sources.path() / "figure" / "figure.gp", values, {300, 200}, out.path(), "", {"svg"});
+  draw_plot("drawn", sources.path() / "figure" / "figure.gp", values, {300, 200}, out.path(), {}, {"svg"});
   fs::remove_all(sources.path() / "figure");
   const std::string script = read_file(out.path() / "drawn.gp");
   EXPECT_NE(script.find("height = 200.0\n"), std::string::npos) << script;
