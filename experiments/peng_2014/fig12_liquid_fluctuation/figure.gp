@@ -1,5 +1,6 @@
 # Figure 12. Reads fig12_*.csv and the lists that figure.cpp sets: vector (mean length of the fluctuation) and vertical
 # (of its vertical component alone), each by system. Columns 2 and 3: voidage and its half width, 4 and 5: fluctuation.
+band = "'fig12_paper_axis.csv' skip 1 using 1:2:3 with filledcurves linecolor rgb paper fillstyle solid 0.08 noborder"
 set multiplot
 set lmargin at screen 0.165
 set rmargin at screen 0.97
@@ -15,14 +16,16 @@ set bmargin at screen middle + 22.0/height
 set format x ''
 set ylabel "u'_L, vector [m/s]" offset 0.5,0
 set key at screen 0.165, screen 1 - 8.0/height left top Left reverse font ',12'
-if (vector_count == 0) {
+if (vector_count > 0) {
+  plot @band title 'sharp rise in the paper', \
+       for [i=1:vector_count] vector[i].'.csv' skip 1 using 2:4:(half_width(3)):(half_width(5)) \
+         with xyerrorbars linestyle vector_style[i] @bars, \
+       for [i=1:vector_count] vector[i].'.csv' skip 1 using 2:4 \
+         with points linestyle vector_style[i] title vector_title[i]
+} else {
   set label 1 'no run with this record yet' at graph 0.55, 0.5 font ',12' textcolor rgb quiet
+  plot @band title 'sharp rise in the paper'
 }
-plot 'fig12_paper_axis.csv' skip 1 using 1:2:3 \
-       with filledcurves linecolor rgb paper fillstyle solid 0.08 noborder title 'sharp rise in the paper', \
-     for [i=1:vector_count] vector[i].'.csv' skip 1 using 2:4:(half_width(3)):(half_width(5)) \
-       with xyerrorbars linestyle vector_style[i] @bars, \
-     for [i=1:vector_count] vector[i].'.csv' skip 1 using 2:4 with points linestyle vector_style[i] title vector_title[i]
 eval footer_drawn
 
 # The vertical component.
@@ -32,9 +35,12 @@ set format x '%g'
 set xlabel 'voidage α_L [-]'
 set ylabel "u'_L, vertical [m/s]" offset 0.5,0
 unset key
-plot 'fig12_paper_axis.csv' skip 1 using 1:2:3 \
-       with filledcurves linecolor rgb paper fillstyle solid 0.08 noborder, \
-     for [i=1:vertical_count] vertical[i].'.csv' skip 1 using 2:4:(half_width(3)):(half_width(5)) \
-       with xyerrorbars linestyle vertical_style[i] @bars, \
-     for [i=1:vertical_count] vertical[i].'.csv' skip 1 using 2:4 with points linestyle vertical_style[i]
+if (vertical_count > 0) {
+  plot @band, \
+       for [i=1:vertical_count] vertical[i].'.csv' skip 1 using 2:4:(half_width(3)):(half_width(5)) \
+         with xyerrorbars linestyle vertical_style[i] @bars, \
+       for [i=1:vertical_count] vertical[i].'.csv' skip 1 using 2:4 with points linestyle vertical_style[i]
+} else {
+  plot @band
+}
 unset multiplot

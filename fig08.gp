@@ -1,0 +1,154 @@
+format='png'
+set terminal pngcairo size 800,1000 enhanced
+set output 'fig08.png'
+# The look that all figures share. Colours are told apart by the colour-blind (Okabe and Ito's set, darkened a little
+# for thin lines); the paper is always black and open, our simulations are filled and coloured, laws are thin lines.
+set encoding utf8
+set datafile separator comma
+set datafile missing NaN
+set border 3 linewidth 1 linecolor rgb '#5b6470'
+set tics nomirror out scale 0.6 font ',13' textcolor rgb '#2b3138'
+set grid back linetype 1 linewidth 0.6 linecolor rgb '#e3e6ea'
+set key textcolor rgb '#2b3138' samplen 1.8 spacing 1.15
+set title font ',15' textcolor rgb '#14181d'
+set xlabel textcolor rgb '#14181d'
+set ylabel textcolor rgb '#14181d'
+set bars 0.6
+set pointintervalbox 0
+set lmargin 9
+
+paper = '#000000'
+ours = '#0072b2'
+variant = '#d55e00'
+second_variant = '#009e73'
+third_variant = '#aa4499'
+law_one = '#b0303c'
+law_two = '#3f7f5f'
+law_three = '#8a6d00'
+law_four = '#5a4fa2'
+quiet = '#8b939c'
+
+set style line 1 linecolor rgb paper linewidth 1.6 pointtype 6 pointsize 0.75 dashtype (9, 5)
+set style line 2 linecolor rgb ours linewidth 2 pointtype 7 pointsize 0.7
+set style line 3 linecolor rgb variant linewidth 2 pointtype 5 pointsize 0.7
+set style line 4 linecolor rgb second_variant linewidth 2 pointtype 9 pointsize 0.8
+set style line 5 linecolor rgb third_variant linewidth 2 pointtype 13 pointsize 0.8
+set style line 11 linecolor rgb law_one linewidth 1.5
+set style line 12 linecolor rgb law_two linewidth 1.5
+set style line 13 linecolor rgb law_three linewidth 1.5
+set style line 14 linecolor rgb law_four linewidth 1.5
+set style line 20 linecolor rgb quiet linewidth 1.2 dashtype (2, 4)
+
+# Viridis (public domain): even steps of the value are even steps to the eye, in colour and in grey.
+set palette defined (0 '#440154', 1 '#482878', 2 '#3e4989', 3 '#31688e', 4 '#26828e', 5 '#1f9e89', 6 '#35b779', \
+                     7 '#6ece58', 8 '#b5de2b', 9 '#fde725')
+
+# Single replicates behind the means of style lines 2 to 5.
+pale_2 = '#8fbfe0'
+pale_3 = '#edb48a'
+pale_4 = '#8fd0b8'
+pale_5 = '#d6a5cf'
+
+# The eight systems of foreign sphere and bed: water filled, sodium iodide open; one colour per pair of sizes.
+set style line 31 linecolor rgb '#d55e00' linewidth 1.6 pointtype 5 pointsize 0.65
+set style line 32 linecolor rgb '#009e73' linewidth 1.6 pointtype 9 pointsize 0.8
+set style line 33 linecolor rgb '#0072b2' linewidth 1.6 pointtype 7 pointsize 0.7
+set style line 34 linecolor rgb '#aa4499' linewidth 1.6 pointtype 13 pointsize 0.8
+set style line 35 linecolor rgb '#8a6d00' linewidth 1.6 pointtype 11 pointsize 0.8
+set style line 36 linecolor rgb '#5b6470' linewidth 1.6 pointtype 15 pointsize 0.7
+set style line 37 linecolor rgb '#d55e00' linewidth 1.6 pointtype 4 pointsize 0.65
+set style line 38 linecolor rgb '#0072b2' linewidth 1.6 pointtype 6 pointsize 0.7
+
+# Radius of a filled round point (type 7) of size 1 in pixels of the SVG, in each format as its terminal is set up:
+# pictures of thousands of discs are points of a given radius, an eighth of the size that circles would have.
+point_radius = format eq 'svg' ? 5.625 : format eq 'png' ? 4.5 : 4.0
+
+# Pictures of spheres (sphere_picture: x, z, radius, colour) in a panel of `scale` pixels per metre:
+# `plot 'spheres.csv' skip 1 @spheres`.
+spheres = "using 1:2:(scale/point_radius*$3):4 with points pointtype 7 pointsize variable linewidth 0.1 ".\
+  "linecolor rgb variable notitle"
+
+# Error bars: `using 1:2:(0):(half_width(3)) with xyerrorbars linestyle 2 @bars`. They have both directions, one of them
+# of no length: gnuplot leaves a gap for the point in bars of one direction, in which short bars vanish. A single sample
+# has no interval.
+half_width(k) = valid(k) ? column(k) : 0
+bars = 'pointsize 0 linewidth 1.4 notitle'
+
+width=800.0
+height=1000.0
+footer_count=1
+array footer[1]=['text']
+footer_height=21
+simulated=0
+end=4
+time_step=1
+entry=NaN
+lower_count=6
+array lower[6]=[0,-1,0,0.4,0,0]
+array upper[6]=[1,0,40,1,0.4,8000]
+array step[6]=[0.5,0.5,20,0.2,0.2,2000]
+array fall_column[6]=[2,3,0,0,0,4]
+# What stands before the plot of a figure of runs: the text below the picture. Reads footer (its lines) and footer_height
+# [pixel]; sets base, the part of the height that the text takes, and keeps the plot above it. A figure of several plots
+# says `eval footer_drawn` after its first, so that the text is drawn once.
+base = footer_height/height
+set origin 0, base
+set size 1, 1 - base
+do for [i=1:footer_count] {
+  set label 900+i footer[i] at screen 0.012, (footer_height - 4.0 - 13.0*(i - 0.5))/height \
+    font ',9' textcolor rgb '#6b7580' front
+}
+footer_drawn = 'unset for [tag=901:'.(900 + footer_count).'] label tag'
+
+# Figure 8. Reads fig08_history.csv (when simulated is 1), fig08_clear_liquid.csv and the values that figure.cpp sets:
+# end of the axis of time and its step [s], entry (when the sphere enters the bed [s], NaN when that is not known), and
+# for each panel lower and upper end of its axis, its step and fall_column (of the sphere alone in clear liquid; 0: not
+# drawn). Panel k shows column k + 1 of the history.
+array heading[6] = ['height z [m]', 'vertical velocity v_z [m/s]', 'angular speed |ω| [rad/s]', \
+  'voidage at the sphere α_L [-]', 'vertical liquid velocity at the sphere u_z [m/s]', 'Reynolds number Re_p [-]']
+
+set multiplot
+set lmargin at screen 0.125
+set rmargin at screen 0.97
+set xrange [0:end]
+set xtics time_step
+set format x ''
+bottom = base + 58.0/height
+pitch = (1 - bottom)/6
+set label 5 'red: one sphere alone in clear liquid' at graph 0.99, 0.85 right font ',11' textcolor rgb law_one
+if (entry == entry) {
+  set arrow 1 from entry, graph 0 to entry, graph 1 nohead linestyle 20
+  set label 1 '  in the bed' at entry, graph 0.12 font ',11' textcolor rgb quiet
+  set label 2 'in liquid  ' at entry, graph 0.12 right font ',11' textcolor rgb quiet
+}
+if (!simulated) {
+  set label 4 'not yet simulated' at graph 0.5, 0.5 center textcolor rgb quiet
+}
+
+do for [k=1:6] {
+  set tmargin at screen 1 - (k - 1)*pitch - 26.0/height
+  set bmargin at screen 1 - k*pitch
+  set label 3 heading[k] at graph 0, graph 1.12 font ',12'
+  set yrange [lower[k]:upper[k]]
+  set ytics step[k]
+  if (k == 6) {
+    set format x '%g'
+    set xlabel 'time since release [s]' offset 0,0.3
+  }
+  if (simulated) {
+    plot 'fig08_history.csv' skip 1 using 1:k+1 with lines linestyle 2 linewidth 1.3 notitle, \
+         for [i=1:(fall_column[k] > 0)] 'fig08_clear_liquid.csv' skip 1 using 1:int(fall_column[k]) \
+           with lines linestyle 11 notitle
+  } else {
+    plot NaN notitle, \
+         for [i=1:(fall_column[k] > 0)] 'fig08_clear_liquid.csv' skip 1 using 1:int(fall_column[k]) \
+           with lines linestyle 11 notitle
+  }
+  if (k == 1) {
+    eval footer_drawn
+    unset label 1
+    unset label 2
+    unset label 5
+  }
+}
+unset multiplot

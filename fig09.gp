@@ -1,0 +1,175 @@
+format='png'
+set terminal pngcairo size 800,1000 enhanced
+set output 'fig09.png'
+# The look that all figures share. Colours are told apart by the colour-blind (Okabe and Ito's set, darkened a little
+# for thin lines); the paper is always black and open, our simulations are filled and coloured, laws are thin lines.
+set encoding utf8
+set datafile separator comma
+set datafile missing NaN
+set border 3 linewidth 1 linecolor rgb '#5b6470'
+set tics nomirror out scale 0.6 font ',13' textcolor rgb '#2b3138'
+set grid back linetype 1 linewidth 0.6 linecolor rgb '#e3e6ea'
+set key textcolor rgb '#2b3138' samplen 1.8 spacing 1.15
+set title font ',15' textcolor rgb '#14181d'
+set xlabel textcolor rgb '#14181d'
+set ylabel textcolor rgb '#14181d'
+set bars 0.6
+set pointintervalbox 0
+set lmargin 9
+
+paper = '#000000'
+ours = '#0072b2'
+variant = '#d55e00'
+second_variant = '#009e73'
+third_variant = '#aa4499'
+law_one = '#b0303c'
+law_two = '#3f7f5f'
+law_three = '#8a6d00'
+law_four = '#5a4fa2'
+quiet = '#8b939c'
+
+set style line 1 linecolor rgb paper linewidth 1.6 pointtype 6 pointsize 0.75 dashtype (9, 5)
+set style line 2 linecolor rgb ours linewidth 2 pointtype 7 pointsize 0.7
+set style line 3 linecolor rgb variant linewidth 2 pointtype 5 pointsize 0.7
+set style line 4 linecolor rgb second_variant linewidth 2 pointtype 9 pointsize 0.8
+set style line 5 linecolor rgb third_variant linewidth 2 pointtype 13 pointsize 0.8
+set style line 11 linecolor rgb law_one linewidth 1.5
+set style line 12 linecolor rgb law_two linewidth 1.5
+set style line 13 linecolor rgb law_three linewidth 1.5
+set style line 14 linecolor rgb law_four linewidth 1.5
+set style line 20 linecolor rgb quiet linewidth 1.2 dashtype (2, 4)
+
+# Viridis (public domain): even steps of the value are even steps to the eye, in colour and in grey.
+set palette defined (0 '#440154', 1 '#482878', 2 '#3e4989', 3 '#31688e', 4 '#26828e', 5 '#1f9e89', 6 '#35b779', \
+                     7 '#6ece58', 8 '#b5de2b', 9 '#fde725')
+
+# Single replicates behind the means of style lines 2 to 5.
+pale_2 = '#8fbfe0'
+pale_3 = '#edb48a'
+pale_4 = '#8fd0b8'
+pale_5 = '#d6a5cf'
+
+# The eight systems of foreign sphere and bed: water filled, sodium iodide open; one colour per pair of sizes.
+set style line 31 linecolor rgb '#d55e00' linewidth 1.6 pointtype 5 pointsize 0.65
+set style line 32 linecolor rgb '#009e73' linewidth 1.6 pointtype 9 pointsize 0.8
+set style line 33 linecolor rgb '#0072b2' linewidth 1.6 pointtype 7 pointsize 0.7
+set style line 34 linecolor rgb '#aa4499' linewidth 1.6 pointtype 13 pointsize 0.8
+set style line 35 linecolor rgb '#8a6d00' linewidth 1.6 pointtype 11 pointsize 0.8
+set style line 36 linecolor rgb '#5b6470' linewidth 1.6 pointtype 15 pointsize 0.7
+set style line 37 linecolor rgb '#d55e00' linewidth 1.6 pointtype 4 pointsize 0.65
+set style line 38 linecolor rgb '#0072b2' linewidth 1.6 pointtype 6 pointsize 0.7
+
+# Radius of a filled round point (type 7) of size 1 in pixels of the SVG, in each format as its terminal is set up:
+# pictures of thousands of discs are points of a given radius, an eighth of the size that circles would have.
+point_radius = format eq 'svg' ? 5.625 : format eq 'png' ? 4.5 : 4.0
+
+# Pictures of spheres (sphere_picture: x, z, radius, colour) in a panel of `scale` pixels per metre:
+# `plot 'spheres.csv' skip 1 @spheres`.
+spheres = "using 1:2:(scale/point_radius*$3):4 with points pointtype 7 pointsize variable linewidth 0.1 ".\
+  "linecolor rgb variable notitle"
+
+# Error bars: `using 1:2:(0):(half_width(3)) with xyerrorbars linestyle 2 @bars`. They have both directions, one of them
+# of no length: gnuplot leaves a gap for the point in bars of one direction, in which short bars vanish. A single sample
+# has no interval.
+half_width(k) = valid(k) ? column(k) : 0
+bars = 'pointsize 0 linewidth 1.4 notitle'
+
+width=800.0
+height=1000.0
+footer_count=1
+array footer[1]=['text']
+footer_height=21
+columns=2
+rows=1
+velocity_count=2
+array velocity[2]=['0.06','0.3']
+array samples[2]=['','']
+array first_drop[2]=[1,1]
+array drops[2]=[0,0]
+array longest[2]=[1,1]
+array paper_slope[2]=[0.2,NaN]
+slope_count = 0
+array slope[1] = ['']
+# What stands before the plot of a figure of runs: the text below the picture. Reads footer (its lines) and footer_height
+# [pixel]; sets base, the part of the height that the text takes, and keeps the plot above it. A figure of several plots
+# says `eval footer_drawn` after its first, so that the text is drawn once.
+base = footer_height/height
+set origin 0, base
+set size 1, 1 - base
+do for [i=1:footer_count] {
+  set label 900+i footer[i] at screen 0.012, (footer_height - 4.0 - 13.0*(i - 0.5))/height \
+    font ',9' textcolor rgb '#6b7580' front
+}
+footer_drawn = 'unset for [tag=901:'.(900 + footer_count).'] label tag'
+
+# Figure 9. Reads fig09_drops_U.csv and the values that figure.cpp sets: columns and rows of panels; for each panel
+# velocity, samples (its table, empty without drops), first_drop and drops (place of its first drop in the list slope,
+# and their number), longest (time that a straight line takes through the window [s]), paper_slope [m/s], NaN for none;
+# slope of each drop [m/s].
+set multiplot
+left = 0.1
+right = 0.985
+bottom = base + 60.0/height
+top = 1 - 62.0/height
+gap_x = 0.03
+gap_y = 52.0/height
+panel_width = (right - left - (columns - 1)*gap_x)/columns
+panel_height = (top - bottom - (rows - 1)*gap_y)/rows
+set yrange [0.09:0.21]
+set ytics 0.1, 0.05
+unset key
+time_step(longest) = longest > 2.0 ? 1.0 : longest > 0.8 ? 0.5 : 0.2
+
+do for [k=1:velocity_count] {
+  row = (k - 1)/columns
+  column = (k - 1) % columns
+  set lmargin at screen left + column*(panel_width + gap_x)
+  set rmargin at screen left + column*(panel_width + gap_x) + panel_width
+  set tmargin at screen top - row*(panel_height + gap_y)
+  set bmargin at screen top - row*(panel_height + gap_y) - panel_height
+  set title 'U_L = '.velocity[k].' m/s' font ',13' offset 0,-0.7
+  set label 1 (drops[k] > 0 ? '' : 'not yet simulated') at graph 0.97, 0.92 right font ',11' textcolor rgb quiet
+  if (column == 0) {
+    set format y '%.2f'
+    set ylabel 'height z [m]' offset 0.8,0
+  } else {
+    set format y ''
+    unset ylabel
+  }
+  set xrange [-0.08*longest[k]:1.15*longest[k]]
+  set xtics time_step(longest[k])
+  if (k + columns > velocity_count) {
+    set xlabel 'time since z = 0.2 m [s]' offset 0,0.4
+  }
+  if (drops[k] > 0) {
+    plot for [d=1:drops[k]] samples[k].'.csv' skip 1 using ($1 == d ? $2 : NaN):3 \
+           with lines linecolor rgb pale_2 linewidth 2.2, \
+         for [d=1:drops[k]] 0.2 - slope[first_drop[k] + d - 1]*x with lines linecolor rgb '#003f63' linewidth 0.9, \
+         0.2 - paper_slope[k]*x with lines linestyle 1
+  } else {
+    plot 0.2 - paper_slope[k]*x with lines linestyle 1
+  }
+  if (k == 1) {
+    eval footer_drawn
+  }
+}
+
+# The key has the width of the picture, so it is a plot of its own; gnuplot's would wrap differently in each format.
+set lmargin at screen left
+set rmargin at screen right
+set tmargin at screen 1 - 6.0/height
+set bmargin at screen 1 - 30.0/height
+unset title
+unset label 1
+unset border
+unset tics
+unset xlabel
+unset ylabel
+set arrow 1 from 0.00, 0.5 to 0.08, 0.5 nohead linecolor rgb pale_2 linewidth 2.2
+set label 11 'drops' at 0.10, 0.5
+set arrow 2 from 0.28, 0.5 to 0.36, 0.5 nohead linecolor rgb '#003f63' linewidth 0.9
+set label 12 'straight lines' at 0.38, 0.5
+set arrow 3 from 0.70, 0.5 to 0.78, 0.5 nohead linestyle 1
+set label 13 'paper' at 0.80, 0.5
+plot [0:1] [0:1] NaN notitle
+unset multiplot
