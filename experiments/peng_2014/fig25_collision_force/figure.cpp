@@ -1,5 +1,3 @@
-#include <fmt/format.h>
-
 #include <cmath>
 
 #include "correlations/collision/collision_force/grbavcic_2009.hpp"
@@ -7,7 +5,6 @@
 #include "correlations/collision/collision_force/van_der_wielen_1996.hpp"
 #include "experiments/figures/figure_folder.hpp"
 #include "experiments/figures/figure_support.hpp"
-#include "experiments/peng_2014/fig25_collision_force/collision_force_laws.hpp"
 #include "experiments/peng_2014/figures.hpp"
 #include "experiments/peng_2014/paper_conditions.hpp"
 #include "experiments/reference/reference_data.hpp"
@@ -22,27 +19,11 @@ bool wanted(const RunSpec& spec) { return spec.system == system_name && spec.sup
 
 std::vector<std::string> needs(const Profile& profile) { return select_run_keys(profile, wanted); }
 
-FigureOutput draw(const FigureContext& context) {
-  const auto keys = needs(context.profile);
-  FigureOutput output{"fig25", {}, folder.caption(), run_notes(context, keys)};
-  output.data.push_back(write_csv(collision_force_laws("fig25"), context.out));
-  output.data.push_back(write_csv(van_der_wielen_of_table_2("fig25_van_der_wielen"), context.out));
-
-  PlotValues values;
-  add_series("simulated",
-             variants_against_bed("fig25", "collision_force_ratio", "force over weight [-]", system_name,
-                                  BedAbscissa::voidage, context),
-             values, context, output);
-  draw_plot_of_runs("fig25", folder.plot(), values, {520, 520}, context, keys);
-  return output;
-}
-
-}  // namespace
-
-DataTable collision_force_laws(const std::string& name) {
+/// Eq. 40, and Grbavčić's force with f = 0, over the voidage.
+DataTable collision_force_laws() {
   using Foreign = collision::Grbavcic2009<collision::DisplacedDrag::of_foreign_sphere>;
   using Bed = collision::Grbavcic2009<collision::DisplacedDrag::of_bed_spheres>;
-  DataTable curves{name,
+  DataTable curves{"fig25",
                    {"voidage [-]", "Eq. 40 [-]", "Grbavcic 2009 with f = 0 and the foreign sphere [-]",
                     "Grbavcic 2009 with f = 0 and the bed spheres [-]"},
                    {}};
@@ -57,8 +38,9 @@ DataTable collision_force_laws(const std::string& name) {
   return curves;
 }
 
-DataTable van_der_wielen_of_table_2(const std::string& name) {
-  DataTable points{name,
+/// Van der Wielen's force at the velocities of Table 2.
+DataTable van_der_wielen_of_table_2() {
+  DataTable points{"fig25_van_der_wielen",
                    {"superficial velocity [m/s]", "voidage by Eq. 36 [-]", "classification velocity of Table 2 [m/s]",
                     "force over weight [-]"},
                    {}};
@@ -70,19 +52,22 @@ DataTable van_der_wielen_of_table_2(const std::string& name) {
   return points;
 }
 
-std::string collision_force_plot(const std::string& name) {
-  return fmt::format(
-      "set style fill transparent solid 0.18 noborder\n"
-      "set xlabel 'voidage α_L [-]'\nset ylabel 'collision force over weight, |F_c|/mg [-]'\n"
-      "plot '{0}.csv' skip 1 using 1:3 with filledcurves y=0 linecolor rgb law_four title 'Grbavčić, foreign sphere', "
-      "'' skip 1 using 1:3 with lines linestyle 14 notitle, "
-      "'' skip 1 using 1:4 with filledcurves y=0 linecolor rgb law_three title 'Grbavčić, bed spheres', "
-      "'' skip 1 using 1:4 with lines linestyle 13 notitle, "
-      "'{0}_van_der_wielen.csv' skip 1 using 2:4 with linespoints linestyle 12 pointtype 12 pointsize 0.5 title 'van "
-      "der Wielen with V_2 of Table 2', "
-      "'{0}.csv' skip 1 using 1:2 with lines linestyle 1 title 'paper, Eq. 40'",
-      name);
+FigureOutput draw(const FigureContext& context) {
+  const auto keys = needs(context.profile);
+  FigureOutput output{"fig25", {}, folder.caption(), run_notes(context, keys)};
+  output.data.push_back(write_csv(collision_force_laws(), context.out));
+  output.data.push_back(write_csv(van_der_wielen_of_table_2(), context.out));
+
+  PlotValues values;
+  add_series("simulated",
+             variants_against_bed("fig25", "collision_force_ratio", "force over weight [-]", system_name,
+                                  BedAbscissa::voidage, context),
+             values, context, output);
+  draw_plot_of_runs("fig25", folder.plot(), values, {520, 520}, context, keys);
+  return output;
 }
+
+}  // namespace
 
 Figure fig25() { return {"fig25", folder.title(), needs, draw, folder.path().string()}; }
 
