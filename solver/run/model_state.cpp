@@ -52,7 +52,7 @@ void exchange_contacts(io::StateGroup& group, std::vector<dem::ContactRecord>& r
     records.resize(values.size());
     for (std::size_t c = 0; c < records.size(); ++c) records[c].*property = static_cast<std::uint32_t>(values[c]);
   };
-  const auto vector = [&](const std::string& name, dem::Vec3 Record::*property, const std::string& unit) {
+  const auto vector = [&](const std::string& name, Vec3 Record::*property, const std::string& unit) {
     dem::VectorField field;
     for (const Record& record : records) {
       field.x.push_back((record.*property).x);
