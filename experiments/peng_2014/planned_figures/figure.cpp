@@ -28,16 +28,10 @@ FigureOutput draw(const FigureContext& context) {
     notes.push_back(
         fmt::format("{} asks for {}; nearest to its band: {}.", plan.figure, fmt::join(plan.asked, ", "), plan.worst));
   }
-  return draw_table("planned-figures", folder.caption(),
-                    {{"\nfigure", 14, true},
-                     {"\ncheapest rung", 130, true},
-                     {"springs, step of\nsolids/liquid", 250, true},
-                     {"error\nof band", 490},
-                     {"planned\n[s/s]", 570, false, "ours"},
-                     {"the paper\n[s/s]", 650},
-                     {"profile\n[s/s]", 730},
-                     {"\nthe profile beside the plan", 755, true}},
-                    rows, data, std::move(notes), 1040, context.out);
+  PlotValues values;
+  const int height = add_table(rows, values);
+  draw_plot("planned-figures", folder.plot(), values, {1040, height}, context.out);
+  return {"planned-figures", {write_csv(data, context.out)}, folder.caption(), std::move(notes)};
 }
 
 }  // namespace
