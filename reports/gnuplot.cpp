@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <fstream>
 #include <sstream>
@@ -104,31 +105,32 @@ void PlotValues::markup(const std::string& name, const std::string& value) {
 void PlotValues::numbers(const std::string& name, const std::vector<double>& values) {
   std::vector<std::string> items;
   for (const double value : values) items.push_back(number_text(value));
-  list(name, items);
+  list(name, items, "0");
 }
 
 void PlotValues::texts(const std::string& name, const std::vector<std::string>& values) {
   std::vector<std::string> items;
   for (const std::string& value : values) items.push_back(gnuplot_text(value));
-  list(name, items);
+  list(name, items, "''");
 }
 
 void PlotValues::markups(const std::string& name, const std::vector<std::string>& values) {
   std::vector<std::string> items;
   for (const std::string& value : values) items.push_back(quoted(value));
-  list(name, items);
+  list(name, items, "''");
 }
 
-void PlotValues::files(const std::string& name, const std::vector<std::string>& tables, const std::string& any_table) {
-  if (!tables.empty()) return markups(name, tables);
-  commands_ += fmt::format("{0}_count = 0\narray {0}[1] = [{1}]\n", name, quoted(any_table));
+void PlotValues::files(const std::string& name, const std::vector<std::string>& tables) {
+  std::vector<std::string> items;
+  for (const std::string& table : tables) items.push_back(quoted(table.empty() ? "" : table + ".csv"));
+  list(name, items, "'$empty_list'");
 }
 
-void PlotValues::list(const std::string& name, const std::vector<std::string>& items) {
+void PlotValues::list(const std::string& name, const std::vector<std::string>& items, const std::string& when_empty) {
   // gnuplot has no empty arrays, and reads the first item even where a loop has nothing to do.
-  commands_ += items.empty() ? fmt::format("{0}_count = 0\narray {0}[1] = ['']\n", name)
-                             : fmt::format("{0}_count = {1}\narray {0}[{1}] = [{2}]\n", name, items.size(),
-                                           fmt::join(items, ", "));
+  commands_ += fmt::format("{0}_count = {1}\narray {0}[{2}] = [{3}]\n", name, items.size(),
+                           std::max<std::size_t>(1, items.size()),
+                           items.empty() ? when_empty : fmt::format("{}", fmt::join(items, ", ")));
 }
 
 void draw_plot(const std::string& id, const fs::path& plot, const PlotValues& values, const Canvas& canvas,

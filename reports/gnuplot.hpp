@@ -27,7 +27,7 @@ struct Canvas {
 /// What a plot reads besides its tables: gnuplot variables, set above it in ID.gp.
 ///
 /// A list becomes an array NAME[1…] and its length NAME_count, 0 for an empty list, so that a plot can say
-/// `plot for [i=1:series_count] series[i].'.csv' skip 1 using 1:2 with points title series_title[i]`.
+/// `plot for [i=1:series_count] series[i] skip 1 using 1:2 with points title series_title[i]`.
 class PlotValues {
  public:
   void number(const std::string& name, double value);
@@ -38,15 +38,14 @@ class PlotValues {
   void numbers(const std::string& name, const std::vector<double>& values);
   void texts(const std::string& name, const std::vector<std::string>& values);
   void markups(const std::string& name, const std::vector<std::string>& values);
-  /// A list of tables to loop over. When it is empty, gnuplot still opens the first file: `any_table` is one that
-  /// exists, so that it does not warn.
-  void files(const std::string& name, const std::vector<std::string>& tables, const std::string& any_table);
+  /// The files of these tables, for instance 'fig05_simulated.csv'; '' for a table without a name.
+  void files(const std::string& name, const std::vector<std::string>& tables);
 
   /// The gnuplot commands that set them.
   [[nodiscard]] const std::string& commands() const { return commands_; }
 
  private:
-  void list(const std::string& name, const std::vector<std::string>& items);
+  void list(const std::string& name, const std::vector<std::string>& items, const std::string& when_empty);
   std::string commands_;
 };
 

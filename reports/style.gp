@@ -70,3 +70,9 @@ spheres = "using 1:2:(scale/point_radius*$3):4 with points pointtype 7 pointsize
 # has no interval.
 half_width(k) = valid(k) ? column(k) : 0
 bars = 'pointsize 0 linewidth 1.4 notitle'
+
+# gnuplot opens the first file of a list even where a loop has nothing to do: of an empty list it is this one.
+$empty_list << END
+heading
+1,1,1,1,1,1,1,1,1,1,1,1
+END

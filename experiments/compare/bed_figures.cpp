@@ -161,7 +161,7 @@ void add_simulated(const std::string& id, const std::vector<Candidate>& candidat
     titles.push_back(candidates[i].name);
     styles.push_back(line_style(i));
   }
-  values.files("simulated", tables, id);
+  values.files("simulated", tables);
   values.texts("simulated_title", titles);
   values.numbers("simulated_style", styles);
 }

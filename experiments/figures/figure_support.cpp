@@ -190,7 +190,7 @@ void add_series(const std::string& name, const std::vector<Series>& series, Plot
     titles.push_back(one.title);
     styles.push_back(one.line_style);
   }
-  values.files(name, tables, output.data.empty() ? "" : output.data.back().stem().string());
+  values.files(name, tables);
   values.texts(name + "_title", titles);
   values.numbers(name + "_style", styles);
 }

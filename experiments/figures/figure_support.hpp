@@ -77,9 +77,8 @@ struct Series {
   int line_style;     ///< of reports/style.gp
 };
 
-/// Writes the tables of those series that have rows and gives a plot their lists: NAME[i] (the table's name, its file
-/// without ".csv"), NAME_title[i], NAME_style[i] and NAME_count. Where all may be without rows, write a table that is
-/// always there first: gnuplot opens it in place of an empty list's.
+/// Writes the tables of those series that have rows and gives a plot their lists: NAME[i] (the file), NAME_title[i],
+/// NAME_style[i] and NAME_count.
 void add_series(const std::string& name, const std::vector<Series>& series, PlotValues& values,
                 const FigureContext& context, FigureOutput& output);
 

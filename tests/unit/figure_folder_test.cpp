@@ -14,6 +14,7 @@
 #include "reports/gnuplot.hpp"
 #include "solver/support/files.hpp"
 #include "solver/support/folders.hpp"
+#include "solver/support/run_program.hpp"
 #include "tests/unit/folder.hpp"
 
 namespace slfb {
@@ -89,24 +90,25 @@ TEST(AddSeries, ListsTheSeriesThatHaveRows) {
   EXPECT_EQ(read_file(output.data.front()), "a [-]\n1\n");
   EXPECT_FALSE(fs::exists(folder.path() / "empty.csv"));
   EXPECT_EQ(values.commands(),
-            "mean_count = 1\narray mean[1] = ['first']\nmean_title_count = 1\narray mean_title[1] = ['the first']\n"
+            "mean_count = 1\narray mean[1] = ['first.csv']\nmean_title_count = 1\narray mean_title[1] = ['the first']\n"
             "mean_style_count = 1\narray mean_style[1] = [2]\n");
 }
 
-// gnuplot opens the first file of a list even where it has nothing to loop over.
-TEST(AddSeries, AnEmptyListDrawsWithoutAnError) {
+// gnuplot reads the first item of a list even where it has nothing to loop over.
+TEST(AddSeries, AnEmptyListDrawsWithoutAnErrorOrAWarning) {
   const Folder folder;
   const Profile profile;
   const FigureContext context{profile, {}, {}, folder.path(), folder.path()};
   FigureOutput output;
-  output.data.push_back(write_csv({"always", {"a [-]", "b [-]"}, {{1.0, 2.0}}}, folder.path()));
   PlotValues values;
   add_series("mean", {{{"empty", {"a [-]", "b [-]"}, {}}, "", 3}}, values, context, output);
+  values.numbers("shift", {});
   write(folder.path() / "figure.gp",
-        "plot 'always.csv' skip 1 using 1:2, for [i=1:mean_count] mean[i].'.csv' skip 1 using 1:2 linestyle "
-        "mean_style[i]\n");
+        "plot sin(x), for [i=1:mean_count] mean[i] skip 1 using ($1+shift[i]):2:(half_width(3)):(half_width(4)) "
+        "with xyerrorbars linestyle mean_style[i] @bars, "
+        "for [i=1:mean_count] mean[i] skip 1 using 1:2 linestyle mean_style[i] title mean_title[i]\n");
   draw_plot("drawn", folder.path() / "figure.gp", values, {}, folder.path(), {}, {"svg"});
-  EXPECT_GT(fs::file_size(folder.path() / "drawn.svg"), 500u);
+  EXPECT_EQ(run_program({"gnuplot", "drawn.gp"}, folder.path(), "").output, "");
 }
 
 TEST(DrawPlot, WhatAPlotLoadsStandsInItsScript) {

@@ -13,5 +13,5 @@ plot 'collision_force.csv' skip 1 using 1:3 with filledcurves y=0 linecolor rgb 
   '' skip 1 using 1:4 with lines linestyle 13 notitle, \
   'collision_force_van_der_wielen.csv' skip 1 using 2:4 with linespoints linestyle 12 pointtype 12 pointsize 0.5 title 'van der Wielen with the printed V_2', \
   'collision_force.csv' skip 1 using 1:2 with lines linestyle 1 title 'Peng et al. 2014, Eq. 40', \
-  for [i=1:simulated_count] simulated[i].'.csv' skip 1 using 2:4:(half_width(3)):(half_width(5)) with xyerrorbars linestyle simulated_style[i] @bars, \
-  for [i=1:simulated_count] simulated[i].'.csv' skip 1 using 2:4 with points linestyle simulated_style[i] title simulated_title[i]
+  for [i=1:simulated_count] simulated[i] skip 1 using 2:4:(half_width(3)):(half_width(5)) with xyerrorbars linestyle simulated_style[i] @bars, \
+  for [i=1:simulated_count] simulated[i] skip 1 using 2:4 with points linestyle simulated_style[i] title simulated_title[i]

@@ -143,7 +143,7 @@ FigureOutput draw(const FigureContext& outer) {
                                       deviations, nearest)}});
 
   PlotValues values;
-  values.files("simulated", tables, equation40.name);
+  values.files("simulated", tables);
   values.texts("law", laws);
   values.numbers("friction", frictions);
   values.numbers("shift", shifts);

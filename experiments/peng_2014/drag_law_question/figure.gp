@@ -21,9 +21,9 @@ set key at screen 0.83, screen 1 - 16.0/height left top Left reverse font ',11'
 plot 'drag_law_homogeneous.csv' skip 1 using 1:2 with lines linecolor rgb ours title 'homogeneous, Gidaspow', \
   '' skip 1 using 1:3 with lines linecolor rgb variant title 'homogeneous, Wen-Yu', \
   'drag_law_paper.csv' skip 1 using 1:2 with points linecolor rgb paper pointtype 2 pointsize 0.9 title 'paper', \
-  for [i=1:simulated_count] simulated[i].'.csv' skip 1 using ($1+shift[i]):2:(half_width(3)) \
+  for [i=1:simulated_count] simulated[i] skip 1 using ($1+shift[i]):2:(half_width(3)) \
     with yerrorbars linecolor rgb colour(i) pointtype point_type(i) pointsize 0.8 notitle, \
-  for [i=1:simulated_count] simulated[i].'.csv' skip 1 using ($1+shift[i]):2 \
+  for [i=1:simulated_count] simulated[i] skip 1 using ($1+shift[i]):2 \
     with points linecolor rgb colour(i) pointtype point_type(i) pointsize 0.8 \
     title sprintf('%s, friction %g', law[i], friction[i])
 eval footer_drawn
@@ -35,7 +35,7 @@ set rmargin at screen 0.54
 set yrange [0:0.5]
 set ylabel 'V_2 [m/s]'
 plot 'drag_law_paper.csv' skip 1 using 1:3 with points linecolor rgb paper pointtype 2 pointsize 0.9 notitle, \
-  for [i=1:simulated_count] simulated[i].'.csv' skip 1 using ($1+shift[i]):(known(4)):(half_width(5)) \
+  for [i=1:simulated_count] simulated[i] skip 1 using ($1+shift[i]):(known(4)):(half_width(5)) \
     with yerrorbars linecolor rgb colour(i) pointtype point_type(i) pointsize 0.8 notitle
 
 # Collision force against the voidage.
@@ -47,6 +47,6 @@ set xlabel 'voidage [-]'
 set yrange [0:1.2]
 set ylabel '|F_c|/mg [-]'
 plot 'drag_law_equation_40.csv' skip 1 using 1:2 with lines linecolor rgb paper notitle, \
-  for [i=1:simulated_count] simulated[i].'.csv' skip 1 using 2:(known(6)):(half_width(7)) \
+  for [i=1:simulated_count] simulated[i] skip 1 using 2:(known(6)):(half_width(7)) \
     with yerrorbars linecolor rgb colour(i) pointtype point_type(i) pointsize 0.8 notitle
 unset multiplot

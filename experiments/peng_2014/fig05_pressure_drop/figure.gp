@@ -8,12 +8,12 @@ set xlabel 'superficial liquid velocity U_L [m/s]' offset 0,0.2
 split = base + 0.42*(1 - base)
 
 # The same curves in both panels.
-curves = "for [i=1:packed_count] packed[i].'.csv' skip 1 using 1:2 with lines linestyle packed_style[i] title packed_title[i], ".\
+curves = "for [i=1:packed_count] packed[i] skip 1 using 1:2 with lines linestyle packed_style[i] title packed_title[i], ".\
   "weight with lines linestyle 11 title sprintf('weight of the bed, %.0f Pa', weight), ".\
   "'fig05_paper.csv' skip 1 using 1:2 with lines linestyle 1 title 'paper, fitted lines', ".\
   "'fig05_minimum_fluidisation.csv' skip 1 using 2:3 with points pointtype 11 pointsize 0.9 linecolor rgb law_one title 'U_{mf} by Eq. 36 at these voidages', ".\
-  "for [i=1:simulated_count] simulated[i].'.csv' skip 1 using 1:2:(0):3 with xyerrorbars linestyle simulated_style[i] pointsize 0 linewidth 1.4 notitle, ".\
-  "for [i=1:simulated_count] simulated[i].'.csv' skip 1 using 1:2 with points linestyle simulated_style[i] title simulated_title[i]"
+  "for [i=1:simulated_count] simulated[i] skip 1 using 1:2:(0):3 with xyerrorbars linestyle simulated_style[i] pointsize 0 linewidth 1.4 notitle, ".\
+  "for [i=1:simulated_count] simulated[i] skip 1 using 1:2 with points linestyle simulated_style[i] title simulated_title[i]"
 
 # All velocities.
 set tmargin at screen 1 - 12.0/height

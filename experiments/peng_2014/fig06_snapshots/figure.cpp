@@ -70,7 +70,7 @@ FigureOutput draw(const FigureContext& context) {
   values.number("upper_height", upper_height);
   values.number("panel_width", panel_width);
   values.texts("velocity", tags);
-  values.markups("spheres_table", tables);
+  values.files("spheres_table", tables);
   values.texts("simulated", simulated);
   values.texts("printed", printed);
   values.texts("missing", missing);

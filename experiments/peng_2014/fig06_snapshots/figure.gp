@@ -26,7 +26,7 @@ do for [k=1:velocity_count] {
   set label 2 printed[k] at graph 0.5, screen base + 16.0/height center font ',11'
   set label 6 missing[k] at graph 0.5, 0.5 center rotate by 90 font ',12' textcolor rgb quiet
   if (spheres_table[k] ne '') {
-    plot spheres_table[k].'.csv' skip 1 @spheres
+    plot spheres_table[k] skip 1 @spheres
   } else {
     plot NaN
   }

@@ -78,7 +78,7 @@ FigureOutput draw(const FigureContext& context) {
   values.number("packed_height", printed.value("packed_height"));
   values.number("arrival", printed.value("settling_time_0.06"));
   values.texts("velocity", key_entries);
-  values.markups("drop", tables);
+  values.files("drop", tables);
   values.numbers("drop_number", numbers);
   values.numbers("drop_velocity", places);
   draw_plot_of_runs("fig07", folder.plot(), values, {560, 430}, context, keys);

@@ -10,7 +10,7 @@ set ylabel 'height z of the sphere [m]'
 set label 1 'paper: rests here at 0.03, 0.04' at graph 0.98, first packed_height right offset 0,-0.7 font ',11'
 set label 2 'paper: arrives' at first arrival, first 0.003 offset 0.6,0.9 font ',11'
 drops = drop_count == 0 ? '' : \
-  "for [i=1:drop_count] drop[i].'.csv' skip 1 using ($1 == drop_number[i] ? $2 : NaN):3 ".\
+  "for [i=1:drop_count] drop[i] skip 1 using ($1 == drop_number[i] ? $2 : NaN):3 ".\
   "with lines linecolor rgb colour[drop_velocity[i]] linewidth (drop_number[i] == 1 ? 2.0 : 1.2) notitle, "
 plot packed_height with lines linestyle 1 notitle, \
      for [k=1:velocity_count] keyentry with lines linecolor rgb colour[k] linewidth 2 title velocity[k], \

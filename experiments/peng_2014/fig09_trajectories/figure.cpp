@@ -106,7 +106,7 @@ FigureOutput draw(const FigureContext& context) {
   values.number("columns", columns);
   values.number("rows", rows);
   values.texts("velocity", tags);
-  values.markups("samples", tables);
+  values.files("samples", tables);
   values.numbers("first_drop", first_drops);
   values.numbers("drops", drop_counts);
   values.numbers("longest", longest_times);

@@ -38,7 +38,7 @@ do for [k=1:velocity_count] {
     set xlabel 'time since z = 0.2 m [s]' offset 0,0.4
   }
   if (drops[k] > 0) {
-    plot for [d=1:drops[k]] samples[k].'.csv' skip 1 using ($1 == d ? $2 : NaN):3 \
+    plot for [d=1:drops[k]] samples[k] skip 1 using ($1 == d ? $2 : NaN):3 \
            with lines linecolor rgb pale_2 linewidth 2.2, \
          for [d=1:drops[k]] 0.2 - slope[first_drop[k] + d - 1]*x with lines linecolor rgb '#003f63' linewidth 0.9, \
          0.2 - paper_slope[k]*x with lines linestyle 1

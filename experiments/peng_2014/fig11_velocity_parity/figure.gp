@@ -23,7 +23,7 @@ plot 'fig11_laws.csv' skip 1 using 2:8:2:2:8:9 \
        with points linecolor rgb law_one pointtype 4 pointsize 0.65 title 'Joshi (reconstructed)', \
      'fig11_laws.csv' skip 1 using 2:7 \
        with points linecolor rgb quiet pointtype 14 pointsize 0.65 title 'van der Wielen', \
-     for [i=1:simulated_count] simulated[i].'.csv' skip 1 using 2:3:(0):(half_width(4)) \
+     for [i=1:simulated_count] simulated[i] skip 1 using 2:3:(0):(half_width(4)) \
        with xyerrorbars linestyle simulated_style[i] @bars, \
-     for [i=1:simulated_count] simulated[i].'.csv' skip 1 using 2:3 \
+     for [i=1:simulated_count] simulated[i] skip 1 using 2:3 \
        with points linestyle simulated_style[i] title simulated_title[i]

@@ -18,9 +18,9 @@ set ylabel "u'_L, vector [m/s]" offset 0.5,0
 set key at screen 0.165, screen 1 - 8.0/height left top Left reverse font ',12'
 if (vector_count > 0) {
   plot @band title 'sharp rise in the paper', \
-       for [i=1:vector_count] vector[i].'.csv' skip 1 using 2:4:(half_width(3)):(half_width(5)) \
+       for [i=1:vector_count] vector[i] skip 1 using 2:4:(half_width(3)):(half_width(5)) \
          with xyerrorbars linestyle vector_style[i] @bars, \
-       for [i=1:vector_count] vector[i].'.csv' skip 1 using 2:4 \
+       for [i=1:vector_count] vector[i] skip 1 using 2:4 \
          with points linestyle vector_style[i] title vector_title[i]
 } else {
   set label 1 'no run with this record yet' at graph 0.55, 0.5 font ',12' textcolor rgb quiet
@@ -37,9 +37,9 @@ set ylabel "u'_L, vertical [m/s]" offset 0.5,0
 unset key
 if (vertical_count > 0) {
   plot @band, \
-       for [i=1:vertical_count] vertical[i].'.csv' skip 1 using 2:4:(half_width(3)):(half_width(5)) \
+       for [i=1:vertical_count] vertical[i] skip 1 using 2:4:(half_width(3)):(half_width(5)) \
          with xyerrorbars linestyle vertical_style[i] @bars, \
-       for [i=1:vertical_count] vertical[i].'.csv' skip 1 using 2:4 with points linestyle vertical_style[i]
+       for [i=1:vertical_count] vertical[i] skip 1 using 2:4 with points linestyle vertical_style[i]
 } else {
   plot @band
 }

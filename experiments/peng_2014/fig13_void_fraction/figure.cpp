@@ -74,7 +74,7 @@ FigureOutput draw(const FigureContext& context) {
   PlotValues values;
   values.number("panel_width", panel_width);
   values.texts("velocity", tags);
-  values.markups("plane", tables);
+  values.files("plane", tables);
   values.numbers("cell_x", cells_x);
   values.numbers("cell_z", cells_z);
   values.texts("simulated", simulated);

@@ -29,7 +29,7 @@ do for [k=1:velocity_count] {
   set label 2 printed[k] at graph 0.5, screen base + 18.0/height center font ',12' textcolor rgb paper
   if (plane[k] ne '') {
     # Half a cell each way, a little widened so that no seam of background shows between neighbours.
-    plot plane[k].'.csv' skip 1 using 1:2:(0.52*cell_x[k]):(0.52*cell_z[k]):3 \
+    plot plane[k] skip 1 using 1:2:(0.52*cell_x[k]):(0.52*cell_z[k]):3 \
       with boxxyerror fillstyle solid noborder linecolor palette
     unset colorbox
   } else {

@@ -81,7 +81,7 @@ FigureOutput draw(const FigureContext& context) {
   values.number("window_bottom", window_bottom);
   values.number("window_top", window_top);
   values.texts("velocity", tags);
-  values.markups("plane", tables);
+  values.files("plane", tables);
   values.numbers("cell_x", cells_x);
   values.numbers("cell_z", cells_z);
   // One scale for width and height: 0.05 m across, 0.4 m up on the left and 0.1 m on the right. Above and below the

@@ -32,7 +32,7 @@ do for [k=1:velocity_count] {
   if (plane[k] ne '') {
     # Grey: no difference across the edge. Half a cell each way, a little widened against seams of background.
     set object 1 rectangle from graph 0, 0 to graph 1, 1 behind fillcolor rgb '#dfe3e8' fillstyle solid noborder
-    plot plane[k].'.csv' skip 1 using ($3 == $3 ? $1 : NaN):2:(0.52*cell_x[k]):(0.52*cell_z[k]):3 \
+    plot plane[k] skip 1 using ($3 == $3 ? $1 : NaN):2:(0.52*cell_x[k]):(0.52*cell_z[k]):3 \
       with boxxyerror linecolor palette
     unset object 1
   } else {
@@ -73,8 +73,8 @@ do for [place=0:1] {
   if (plane[k] ne '') {
     # A vector of 0.25 m/s is as long as a cell. Black on yellow and white on violet would vanish, so both are drawn.
     scale = cell_x[k]/0.25
-    plot plane[k].'.csv' skip 1 using 1:2:(0.52*cell_x[k]):(0.52*cell_z[k]):4 with boxxyerror linecolor palette, \
-         for [line=1:2] plane[k].'.csv' skip 1 \
+    plot plane[k] skip 1 using 1:2:(0.52*cell_x[k]):(0.52*cell_z[k]):4 with boxxyerror linecolor palette, \
+         for [line=1:2] plane[k] skip 1 \
            using ($1 - 0.5*scale*$5):($2 - 0.5*scale*$6):(scale*$5):(scale*$6) with vectors head filled \
            size 0.0012,20 linecolor rgb (line == 1 ? '#ffffff' : '#14181d') linewidth (line == 1 ? 2.6 : 1.1)
   } else {

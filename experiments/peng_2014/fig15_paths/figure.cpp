@@ -84,8 +84,8 @@ FigureOutput draw(const FigureContext& context) {
   values.texts("run_voidage", run_voidages);
   values.markups("heading", headings);
   values.numbers("bottom", bottoms);
-  values.markups("picture", pictures);
-  values.markups("path", paths);
+  values.files("picture", pictures);
+  values.files("path", paths);
   draw_plot_of_runs("fig15", folder.plot(), values, {560, 34 + static_cast<int>(scale * panel_height) + 56}, context,
                     keys);
   return output;

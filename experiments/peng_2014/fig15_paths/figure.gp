@@ -26,11 +26,11 @@ do for [i=1:voidage_count] {
   if (picture[i] eq '') {
     plot NaN
   } else { if (path[i] eq '') {
-    plot picture[i].'.csv' skip 1 @spheres
+    plot picture[i] skip 1 @spheres
   } else {
-    plot picture[i].'.csv' skip 1 @spheres, \
-      path[i].'.csv' skip 1 using 1:3 with lines linecolor rgb '#ffffff' linewidth 3.4, \
-      path[i].'.csv' skip 1 using 1:3 with lines linecolor rgb '#c0271c' linewidth 1.8
+    plot picture[i] skip 1 @spheres, \
+      path[i] skip 1 using 1:3 with lines linecolor rgb '#ffffff' linewidth 3.4, \
+      path[i] skip 1 using 1:3 with lines linecolor rgb '#c0271c' linewidth 1.8
   } }
   if (i == 1) {
     eval footer_drawn

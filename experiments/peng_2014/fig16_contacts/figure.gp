@@ -15,9 +15,9 @@ set yrange [0.02:10]
 set ylabel 'mean contacts [-]' offset 1.6,0
 set key top right Left reverse font ',12'
 plot 'fig16_paper.csv' skip 1 using 1:2 with points linestyle 1 dashtype 1 title 'paper, printed', \
-  for [i=1:mean_count] mean[i].'.csv' skip 1 using 2:4:(half_width(3)):(half_width(5)) \
+  for [i=1:mean_count] mean[i] skip 1 using 2:4:(half_width(3)):(half_width(5)) \
     with xyerrorbars linestyle mean_style[i] @bars, \
-  for [i=1:mean_count] mean[i].'.csv' skip 1 using 2:4 with points linestyle mean_style[i] title mean_title[i]
+  for [i=1:mean_count] mean[i] skip 1 using 2:4 with points linestyle mean_style[i] title mean_title[i]
 eval footer_drawn
 
 # Most at once.
@@ -31,7 +31,7 @@ set ytics 4
 set ylabel 'most contacts [-]' offset 0.5,0
 unset key
 plot 'fig16_paper.csv' skip 1 using 1:3 with points linestyle 1 dashtype 1, \
-  for [i=1:most_count] most[i].'.csv' skip 1 using 2:4:(half_width(3)):(half_width(5)) \
+  for [i=1:most_count] most[i] skip 1 using 2:4:(half_width(3)):(half_width(5)) \
     with xyerrorbars linestyle most_style[i] @bars, \
-  for [i=1:most_count] most[i].'.csv' skip 1 using 2:4 with points linestyle most_style[i]
+  for [i=1:most_count] most[i] skip 1 using 2:4 with points linestyle most_style[i]
 unset multiplot

@@ -10,7 +10,7 @@ plot 'fig19_kinetic_theory.csv' skip 1 using 1:2 with lines linestyle 1 title 'k
   '' skip 1 using 1:3 with lines linestyle 12 title 'kinetic theory, Carnahan-Starling', \
   'fig19_paper.csv' skip 1 using 1:2:1:1:3:4 with xyerrorbars linecolor rgb paper linewidth 1.6 pointsize 0 \
     title 'printed frequencies, range the axes allow', \
-  for [i=1:simulated_count] simulated[i].'.csv' skip 1 using 2:4:(half_width(3)):(half_width(5)) \
+  for [i=1:simulated_count] simulated[i] skip 1 using 2:4:(half_width(3)):(half_width(5)) \
     with xyerrorbars linestyle simulated_style[i] @bars, \
-  for [i=1:simulated_count] simulated[i].'.csv' skip 1 using 2:4 \
+  for [i=1:simulated_count] simulated[i] skip 1 using 2:4 \
     with points linestyle simulated_style[i] title simulated_title[i]

@@ -95,7 +95,7 @@ FigureOutput draw(const FigureContext& context) {
   values.markups("heading", headings);
   values.texts("remark", remarks);
   values.numbers("end", ends);
-  values.markups("force", forces);
+  values.files("force", forces);
   draw_plot_of_runs("fig21", folder.plot(), values, {640, 620}, context, keys, own_springs);
   return output;
 }

@@ -40,7 +40,7 @@ do for [i=1:heading_count] {
     plot lowest with lines linestyle 1 linewidth 0.8, highest with lines linestyle 1 linewidth 0.8
   } else {
     plot lowest with lines linestyle 1 linewidth 0.8, highest with lines linestyle 1 linewidth 0.8, \
-      force[i].'.csv' skip 1 using 1:2 with impulses linecolor rgb ours linewidth 0.8
+      force[i] skip 1 using 1:2 with impulses linecolor rgb ours linewidth 0.8
   }
   if (i == 1) {
     eval footer_drawn

@@ -18,9 +18,9 @@ set key top left Left reverse font ',11' spacing 1.05
 plot 'fig22_mean_field_drag.csv' skip 1 using 1:2 with lines linestyle 11 title 'Gidaspow at V_2 of Table 2', \
   '' skip 1 using 1:3 with lines linestyle 12 title 'Wen and Yu at V_2 of Table 2', \
   'fig22_paper.csv' skip 1 using 1:2 with points linestyle 1 dashtype 1 title 'paper, printed', \
-  for [i=1:drag_count] drag[i].'.csv' skip 1 using 2:4:(half_width(3)):(half_width(5)) \
+  for [i=1:drag_count] drag[i] skip 1 using 2:4:(half_width(3)):(half_width(5)) \
     with xyerrorbars linestyle drag_style[i] @bars, \
-  for [i=1:drag_count] drag[i].'.csv' skip 1 using 2:4 with points linestyle drag_style[i] title drag_title[i]
+  for [i=1:drag_count] drag[i] skip 1 using 2:4 with points linestyle drag_style[i] title drag_title[i]
 eval footer_drawn
 
 # Pressure-gradient force.
@@ -36,8 +36,8 @@ plot 'fig22_pressure_gradient.csv' skip 1 using 1:3 \
     with lines linestyle 13 title 'homogeneous bed, ρ_M/ρ_{P2}', \
   '' skip 1 using 1:2 with lines linestyle 14 title 'clear liquid, ρ_L/ρ_{P2}', \
   'fig22_paper.csv' skip 1 using 1:3 with points linestyle 1 dashtype 1 notitle, \
-  for [i=1:pressure_count] pressure[i].'.csv' skip 1 using 2:4:(half_width(3)):(half_width(5)) \
+  for [i=1:pressure_count] pressure[i] skip 1 using 2:4:(half_width(3)):(half_width(5)) \
     with xyerrorbars linestyle pressure_style[i] @bars, \
-  for [i=1:pressure_count] pressure[i].'.csv' skip 1 using 2:4 \
+  for [i=1:pressure_count] pressure[i] skip 1 using 2:4 \
     with points linestyle pressure_style[i] title pressure_title[i]
 unset multiplot

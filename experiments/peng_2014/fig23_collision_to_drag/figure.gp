@@ -12,7 +12,7 @@ plot largest with lines linestyle 1 title 'paper, largest ratio', \
   '' skip 1 using 1:3 with lines linestyle 12 title 'Eq. 40 over Wen and Yu at V_2 of Table 2', \
   'fig23_paper.csv' skip 1 using 1:2 with points linestyle 1 dashtype 1 pointtype 1 \
     title 'Eq. 40 over the printed drag', \
-  for [i=1:simulated_count] simulated[i].'.csv' skip 1 using 2:4:(half_width(3)):(half_width(5)) \
+  for [i=1:simulated_count] simulated[i] skip 1 using 2:4:(half_width(3)):(half_width(5)) \
     with xyerrorbars linestyle simulated_style[i] @bars, \
-  for [i=1:simulated_count] simulated[i].'.csv' skip 1 using 2:4 \
+  for [i=1:simulated_count] simulated[i] skip 1 using 2:4 \
     with points linestyle simulated_style[i] title simulated_title[i]

@@ -10,11 +10,11 @@ set style fill transparent solid 0.09 noborder
 plot 'fig24_equation_40.csv' skip 1 using 1:5:6 with filledcurves linecolor rgb paper notitle, \
   '' skip 1 using 1:3:4 with filledcurves linecolor rgb paper notitle, \
   '' skip 1 using 1:2 with lines linestyle 1 title 'paper, Eq. 40, with 10 and 20 %', \
-  for [i=1:mean_of_magnitude_count] mean_of_magnitude[i].'.csv' skip 1 using 2:4:(half_width(3)):(half_width(5)) \
+  for [i=1:mean_of_magnitude_count] mean_of_magnitude[i] skip 1 using 2:4:(half_width(3)):(half_width(5)) \
     with xyerrorbars linestyle mean_of_magnitude_style[i] @bars, \
-  for [i=1:mean_of_magnitude_count] mean_of_magnitude[i].'.csv' skip 1 using 2:4 \
+  for [i=1:mean_of_magnitude_count] mean_of_magnitude[i] skip 1 using 2:4 \
     with points linestyle mean_of_magnitude_style[i] title mean_of_magnitude_title[i], \
-  for [i=1:magnitude_of_mean_count] magnitude_of_mean[i].'.csv' skip 1 using 2:4:(0):(half_width(5)) \
+  for [i=1:magnitude_of_mean_count] magnitude_of_mean[i] skip 1 using 2:4:(0):(half_width(5)) \
     with xyerrorbars linestyle magnitude_of_mean_style[i] @bars, \
-  for [i=1:magnitude_of_mean_count] magnitude_of_mean[i].'.csv' skip 1 using 2:4 \
+  for [i=1:magnitude_of_mean_count] magnitude_of_mean[i] skip 1 using 2:4 \
     with points linestyle magnitude_of_mean_style[i] pointtype 12 pointsize 0.9 title magnitude_of_mean_title[i]

@@ -14,7 +14,7 @@ plot 'fig25.csv' skip 1 using 1:3 with filledcurves y=0 linecolor rgb law_four t
   'fig25_van_der_wielen.csv' skip 1 using 2:4 \
     with linespoints linestyle 12 pointtype 12 pointsize 0.5 title 'van der Wielen with V_2 of Table 2', \
   'fig25.csv' skip 1 using 1:2 with lines linestyle 1 title 'paper, Eq. 40', \
-  for [i=1:simulated_count] simulated[i].'.csv' skip 1 using 2:4:(half_width(3)):(half_width(5)) \
+  for [i=1:simulated_count] simulated[i] skip 1 using 2:4:(half_width(3)):(half_width(5)) \
     with xyerrorbars linestyle simulated_style[i] @bars, \
-  for [i=1:simulated_count] simulated[i].'.csv' skip 1 using 2:4 \
+  for [i=1:simulated_count] simulated[i] skip 1 using 2:4 \
     with points linestyle simulated_style[i] title simulated_title[i]

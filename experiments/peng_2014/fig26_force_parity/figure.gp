@@ -12,7 +12,7 @@ plot x with lines linecolor rgb paper linewidth 1.2 title 'equality', \
   1.1*x with lines linestyle 1 linewidth 1 notitle, \
   0.8*x with lines linestyle 20 linecolor rgb paper title '20 %', \
   1.2*x with lines linestyle 20 linecolor rgb paper notitle, \
-  for [i=1:simulated_count] simulated[i].'.csv' skip 1 using 3:5:(half_width(4)):(half_width(6)) \
+  for [i=1:simulated_count] simulated[i] skip 1 using 3:5:(half_width(4)):(half_width(6)) \
     with xyerrorbars linestyle simulated_style[i] @bars, \
-  for [i=1:simulated_count] simulated[i].'.csv' skip 1 using 3:5 \
+  for [i=1:simulated_count] simulated[i] skip 1 using 3:5 \
     with points linestyle simulated_style[i] title simulated_title[i]

@@ -102,7 +102,7 @@ FigureOutput draw(const FigureContext& context) {
 
   PlotValues values;
   add_series("simulated", simulated, values, context, output);
-  values.files("main_bed", main_bed, printed.name);
+  values.files("main_bed", main_bed);
   values.number("main_bed_style", main.line_style);
   draw_plot_of_runs("printed-voidage", folder.plot(), values, {1180, 420}, context, keys);
   return output;

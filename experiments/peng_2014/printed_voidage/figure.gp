@@ -16,7 +16,7 @@ set ylabel 'voidage [-]'
 set key at graph 0.98, graph 0.04 right bottom Left reverse font ',11'
 plot 'printed_voidage_equation_36.csv' skip 1 using 1:2 with lines linecolor rgb paper title 'Eq. 36', \
   'printed_voidage_paper.csv' skip 1 using 1:2 with points linecolor rgb paper pointtype 2 title 'printed', \
-  for [i=1:main_bed_count] main_bed[i].'.csv' skip 1 using 1:2 with points linestyle main_bed_style title 'our bed'
+  for [i=1:main_bed_count] main_bed[i] skip 1 using 1:2 with points linestyle main_bed_style title 'our bed'
 eval footer_drawn
 
 # Force at the voidage of our bed.
@@ -29,9 +29,9 @@ set yrange [0.2:1.1]
 set ylabel '|F_c|/mg [-]'
 set key at screen 0.83, screen 1 - 16.0/height left top Left reverse font ',11'
 plot 'printed_voidage_equations.csv' skip 1 using 1:2 with lines linecolor rgb paper title 'Eq. 40', \
-  for [i=1:simulated_count] simulated[i].'.csv' skip 1 using 2:4:(0):(half_width(5)) \
+  for [i=1:simulated_count] simulated[i] skip 1 using 2:4:(0):(half_width(5)) \
     with xyerrorbars linestyle simulated_style[i] @bars, \
-  for [i=1:simulated_count] simulated[i].'.csv' skip 1 using 2:4 \
+  for [i=1:simulated_count] simulated[i] skip 1 using 2:4 \
     with points linestyle simulated_style[i] title simulated_title[i]
 
 # Force at the voidage by Eq. 36.
@@ -40,7 +40,7 @@ set rmargin at screen 0.81
 set xlabel 'voidage by Eq. 36 [-]'
 unset key
 plot 'printed_voidage_equations.csv' skip 1 using 1:2 with lines linecolor rgb paper notitle, \
-  for [i=1:simulated_count] simulated[i].'.csv' skip 1 using 6:4:(0):(half_width(5)) \
+  for [i=1:simulated_count] simulated[i] skip 1 using 6:4:(0):(half_width(5)) \
     with xyerrorbars linestyle simulated_style[i] @bars, \
-  for [i=1:simulated_count] simulated[i].'.csv' skip 1 using 6:4 with points linestyle simulated_style[i]
+  for [i=1:simulated_count] simulated[i] skip 1 using 6:4 with points linestyle simulated_style[i]
 unset multiplot
