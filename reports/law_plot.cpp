@@ -1,12 +1,11 @@
 #include "reports/law_plot.hpp"
 
-#include <fmt/format.h>
-
 #include <cmath>
 #include <limits>
 #include <stdexcept>
 
 #include "reports/gnuplot.hpp"
+#include "solver/support/folders.hpp"
 
 namespace slfb {
 namespace {
@@ -28,17 +27,37 @@ std::vector<const CatalogueEntry*> family(LawKind kind) {
   return laws;
 }
 
-std::string axes(const Sweep& sweep) {
-  // Room for the title of the y axis left of "10000"; lines break where there is no value.
-  std::string commands = "set lmargin 12\nset datafile missing\n";
-  commands += fmt::format("set xlabel {} offset 0,0.6\n", gnuplot_text(std::string(sweep.x.title)));
-  commands += fmt::format("set ylabel {}\n", gnuplot_text(std::string(sweep.y.title)));
-  commands += fmt::format("set xrange [{}:{}]\n", sweep.lower, sweep.upper);
-  if (std::isfinite(sweep.y.frame.upper))
-    commands += fmt::format("set yrange [{}:{}]\n", sweep.y.frame.lower, sweep.y.frame.upper);
-  if (sweep.x.logarithmic) commands += "set logscale x\nset format x '10^{%T}'\n";
-  if (sweep.y.logarithmic) commands += "set logscale y\n";
-  return commands;
+std::filesystem::path plot_file() { return source_folder() / "reports" / "laws.gp"; }
+
+/// Columns of a table, the first of which is 1, with what the key says of each.
+struct Columns {
+  std::vector<double> places;
+  std::vector<std::string> titles;
+
+  void add(const DataTable& table, const std::string& title) {
+    places.push_back(static_cast<double>(table.columns.size()));
+    titles.push_back(title);
+  }
+  void give(const std::string& name, PlotValues& values) const {
+    values.numbers(name, places);
+    values.texts(name + "_title", titles);
+  }
+};
+
+PlotValues axes(const std::string& table, const Sweep& sweep) {
+  const bool bounded = std::isfinite(sweep.y.frame.upper);
+  PlotValues values;
+  values.markup("table", table);
+  values.text("x_title", std::string(sweep.x.title));
+  values.text("y_title", std::string(sweep.y.title));
+  values.number("from", sweep.lower);
+  values.number("to", sweep.upper);
+  values.number("y_bounded", bounded ? 1 : 0);
+  values.number("lower", bounded ? sweep.y.frame.lower : 0.0);
+  values.number("upper", bounded ? sweep.y.frame.upper : 0.0);
+  values.number("x_logarithmic", sweep.x.logarithmic ? 1 : 0);
+  values.number("y_logarithmic", sweep.y.logarithmic ? 1 : 0);
+  return values;
 }
 
 /// A column of values of a law beside the x of the sweep; `inside` and `outside` say which points are wanted.
@@ -82,53 +101,43 @@ void draw_law(const CatalogueEntry& entry, const LawArguments& arguments, const 
   const Sweep& way = sweep_of(entry.info.kind);
   const std::string_view original = entry.info.variant_of.empty() ? entry.info.name : entry.info.variant_of;
   DataTable table = empty_table(id, way);
-  std::string grey, coloured;
-  const char* grey_title = "title 'other laws of this kind'";
-  int style = 11;
+  Columns others, variants;
   for (const CatalogueEntry* other : family(entry.info.kind)) {
     if (other == &entry) continue;
-    add_column(table, *other, arguments, std::string(other->info.name), true, true);
-    const std::string line = fmt::format("'{}.csv' skip 1 using 1:{} with lines ", id, table.columns.size());
-    if (other->info.name == original || other->info.variant_of == original) {
-      coloured += fmt::format("{}linestyle {} title {}, ", line, style++, gnuplot_text(std::string(other->info.name)));
-    } else {
-      grey += fmt::format("{}linecolor rgb '#c3c8ce' linewidth 1 {}, ", line, grey_title);
-      grey_title = "notitle";
-    }
+    const std::string name(other->info.name);
+    add_column(table, *other, arguments, name, true, true);
+    const bool variant = other->info.name == original || other->info.variant_of == original;
+    (variant ? variants : others).add(table, name);
   }
   const std::string name(entry.info.name);
   add_column(table, entry, arguments, name + " inside its range", true, false);
   add_column(table, entry, arguments, name + " outside its range", false, true);
   write_csv(table, folder);
-  const std::string bold = fmt::format(
-      "'{0}.csv' skip 1 using 1:{1} with lines linestyle 2 linewidth 3 title {3}, "
-      "'' skip 1 using 1:{2} with lines linestyle 2 linewidth 2.5 dashtype (2, 3) title 'the same outside its range'\n",
-      id, table.columns.size() - 1, table.columns.size(), gnuplot_text(name));
-  draw_figure(id, axes(way) + "set key tmargin left Left reverse font ',12'\nplot " + grey + coloured + bold,
-              {620, 460}, folder, formats);
+  PlotValues values = axes(id, way);
+  values.text("law", name);
+  values.number("inside", static_cast<double>(table.columns.size() - 1));
+  values.number("outside", static_cast<double>(table.columns.size()));
+  others.give("other", values);
+  variants.give("variant", values);
+  Columns{}.give("member", values);
+  draw_plot(id, plot_file(), values, {620, 460}, folder, "", formats);
 }
 
 void draw_family(LawKind kind, const LawArguments& arguments, const std::string& id,
                  const std::filesystem::path& folder, const std::vector<std::string>& formats) {
   const Sweep& way = sweep_of(kind);
   DataTable table = empty_table(id, way);
-  // Seven colours that the colour-blind tell apart; each round of them has another dash.
-  const std::vector<std::string> colours{"#0072b2", "#d55e00", "#009e73", "#aa4499", "#8a6d00", "#b0303c", "#3b4450"};
-  const std::vector<std::string> dashes{"1", "(10, 4)", "(3, 3)"};
-  std::string lines;
-  std::size_t number = 0;
+  Columns members;
   for (const CatalogueEntry* law : family(kind)) {
-    add_column(table, *law, arguments, std::string(law->info.name), true, true);
-    lines +=
-        fmt::format("{}'{}.csv' skip 1 using 1:{} with lines linewidth 1.6 linecolor rgb '{}' dashtype {} title {}",
-                    lines.empty() ? "" : ", ", id, table.columns.size(), colours[number % colours.size()],
-                    dashes[number / colours.size() % dashes.size()], gnuplot_text(std::string(law->info.name)));
-    ++number;
+    const std::string name(law->info.name);
+    add_column(table, *law, arguments, name, true, true);
+    members.add(table, name);
   }
   write_csv(table, folder);
-  const int height = 380 + 22 * static_cast<int>((number + 1) / 2);
-  draw_figure(id, axes(way) + "set key below left maxcols 2 Left reverse font ',11'\nplot " + lines + "\n",
-              {680, height}, folder, formats);
+  PlotValues values = axes(id, way);
+  members.give("member", values);
+  const int height = 380 + 22 * static_cast<int>((members.places.size() + 1) / 2);
+  draw_plot(id, plot_file(), values, {680, height}, folder, "", formats);
 }
 
 }  // namespace slfb

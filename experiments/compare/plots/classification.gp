@@ -13,4 +13,4 @@ plot for [i=1:literature_count] 'classification.csv' skip 1 using 1:literature[i
   for [i=1:outside_count] 'classification.csv' skip 1 using 1:outside[i] with lines linestyle outside_style[i] dashtype (2, 3) title outside_title[i], \
   'classification_paper.csv' skip 1 using 1:2 with points linestyle 1 dashtype 1 title printed_title, \
   for [i=1:simulated_count] simulated[i] skip 1 using 2:4:(0):(half_width(5)) with xyerrorbars linestyle simulated_style[i] @bars, \
-  for [i=1:simulated_count] simulated[i] skip 1 using 2:4 with points linestyle simulated_style[i] title 'simulated, '.simulated_title[i]
+  for [i=1:simulated_count] simulated[i] skip 1 using 2:4 with points linestyle simulated_style[i] title (i > simulated_count ? '' : 'simulated, '.simulated_title[i])

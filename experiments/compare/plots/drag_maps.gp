@@ -37,6 +37,6 @@ do for [i=1:map_count] {
   } else {
     unset colorbox
   }
-  plot table.'.csv' skip 1 using (log10($2)):1:(shade(column(i + 2))) with image @drawn
+  plot table.'.csv' skip 1 using (log10($2)):1:(shade(column(i + 2))) with image @drawn notitle
 }
 unset multiplot

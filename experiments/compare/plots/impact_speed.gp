@@ -24,11 +24,11 @@ plot for [i=1:law_count] 'impact_speed.csv' skip 1 using 1:6*i-4 with lines line
 unset key
 set yrange [0:*]
 set ylabel 'contact time [ms]'
-plot for [i=1:law_count] 'impact_speed.csv' skip 1 using 1:6*i-3 with lines linestyle law_style(i) linewidth width(i)
+plot for [i=1:law_count] 'impact_speed.csv' skip 1 using 1:6*i-3 with lines linestyle law_style(i) linewidth width(i) notitle
 
 set logscale y
 set yrange [*:*]
 set format y '10^{%T}'
 set ylabel 'peak force [N]'
-plot for [i=1:law_count] 'impact_speed.csv' skip 1 using 1:6*i-2 with lines linestyle law_style(i) linewidth width(i)
+plot for [i=1:law_count] 'impact_speed.csv' skip 1 using 1:6*i-2 with lines linestyle law_style(i) linewidth width(i) notitle
 unset multiplot

@@ -18,5 +18,5 @@ plot 'oblique_impact.csv' skip 1 using 1:2 @rigid, \
 set ylabel "spin rω'/v_n [-]"
 unset key
 plot 'oblique_impact.csv' skip 1 using 1:3 @rigid, \
-  for [i=1:law_count] 'oblique_impact.csv' skip 1 using 1:2*i+3 with lines linestyle law_style(i) linewidth width(i)
+  for [i=1:law_count] 'oblique_impact.csv' skip 1 using 1:2*i+3 with lines linestyle law_style(i) linewidth width(i) notitle
 unset multiplot

@@ -16,5 +16,5 @@ plot 0 with lines linestyle 20 notitle, \
 set xlabel 'overlap over effective radius, δ/R* [%]'
 unset key
 plot 0 with lines linestyle 20 notitle, \
-  for [i=1:law_count] 'one_collision.csv' skip 1 using 3*i-1:3*i with lines linestyle law_style(i) linewidth width(i)
+  for [i=1:law_count] 'one_collision.csv' skip 1 using 3*i-1:3*i with lines linestyle law_style(i) linewidth width(i) notitle
 unset multiplot
