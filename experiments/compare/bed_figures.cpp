@@ -5,9 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "correlations/collision/collision_force/grbavcic_2009.hpp"
-#include "correlations/collision/collision_force/peng_2014.hpp"
-#include "correlations/collision/collision_force/van_der_wielen_1996.hpp"
+#include "correlations/catalogue.hpp"
 #include "correlations/collision/collision_frequency/simonin_1991.hpp"
 #include "correlations/collision/radial_distribution/lun_savage_1986.hpp"
 #include "correlations/drag/doroodchi_2012.hpp"
@@ -22,15 +20,6 @@ namespace {
 namespace fs = std::filesystem;
 
 const std::vector<std::string> formats{"svg", "png"};
-
-/// The foreign sphere in the bed at that voidage [-] and superficial velocity [m/s].
-ForeignSphereInBed foreign_in_bed(const ComparisonBed& bed, double voidage, double superficial_velocity) {
-  return {.bed = bed.bed.sphere,
-          .foreign = bed.foreign.sphere,
-          .liquid = bed.liquid,
-          .voidage = voidage,
-          .superficial_velocity = superficial_velocity};
-}
 
 Picture draw_classification(const std::vector<Candidate>& candidates, const ComparisonBed& bed,
                             const fs::path& folder) {
@@ -49,55 +38,62 @@ Picture draw_classification(const std::vector<Candidate>& candidates, const Comp
                       bed.foreign.words(), bed.bed.words())};
 }
 
-/// The laws of the collision force over the voidage. The velocity has no part in them.
-DataTable collision_force_laws(const std::string& name, const ComparisonBed& bed) {
-  using Foreign = collision::Grbavcic2009<collision::DisplacedDrag::of_foreign_sphere>;
-  using Bed = collision::Grbavcic2009<collision::DisplacedDrag::of_bed_spheres>;
-  DataTable curves{name,
-                   {"voidage [-]", "Peng 2014 [-]", "Grbavcic 2009 with f = 0 and the foreign sphere [-]",
-                    "Grbavcic 2009 with f = 0 and the bed spheres [-]"},
-                   {}};
-  constexpr int steps = 120;
-  for (int step = 0; step <= steps; ++step) {
-    const double voidage = 0.4 + 0.6 * step / steps;
-    const ForeignSphereInBed state = foreign_in_bed(bed, voidage, 0.0);
-    curves.rows.push_back(
-        {voidage,
-         collision::Peng2014::info.voidage.contains(voidage) ? collision::Peng2014{}(state, 0.0) : std::nan(""),
-         Foreign{0.0}(state), Bed{0.0}(state)});
-  }
-  return curves;
+/// Force over weight that a law of the catalogue gives at that voidage [-] and settling velocity [m/s]; not a number
+/// outside its voidages. Laws with a transition function are taken before the transition, f = 0.
+double collision_force(const CatalogueEntry& law, const ComparisonBed& bed, double voidage, double settling_velocity) {
+  if (!law.info.voidage.contains(voidage)) return std::nan("");
+  LawArguments arguments;
+  arguments.voidage = voidage;
+  arguments.diameter = bed.bed.sphere.diameter;
+  arguments.particle_density = bed.bed.sphere.density;
+  arguments.foreign_diameter = bed.foreign.sphere.diameter;
+  arguments.foreign_density = bed.foreign.sphere.density;
+  arguments.liquid_density = bed.liquid.density;
+  arguments.viscosity = bed.liquid.viscosity;
+  arguments.settling_velocity = settling_velocity;
+  arguments.transition = 0.0;
+  return law.evaluate(arguments).at("force_over_weight").value;
 }
 
-/// Van der Wielen's force with the printed classification velocities, at the voidage of the homogeneous bed.
-DataTable van_der_wielen_force(const std::string& name, const ComparisonBed& bed) {
-  DataTable points{name,
-                   {"superficial velocity [m/s]", "voidage [-]", "classification velocity as printed [m/s]",
-                    "force over weight [-]"},
-                   {}};
-  for (const PrintedPoint& point : bed.classification.points) {
-    const double voidage = fluidisation::bed_voidage(drag::Doroodchi2012{}, bed.bed.sphere, bed.liquid,
-                                                     point.superficial_velocity, bed.packed_voidage)
-                               .voidage;
-    const ForeignSphereInBed state = foreign_in_bed(bed, voidage, point.superficial_velocity);
-    points.rows.push_back(
-        {point.superficial_velocity, voidage, point.value, collision::VanDerWielen1996{}(state, point.value)});
-  }
-  return points;
-}
-
+/// All laws of the collision force: a curve over the voidage for those in which the settling velocity has no part, and
+/// for the others points at the printed velocities, at the voidage of the homogeneous bed.
 Picture draw_collision_force(const std::vector<Candidate>& candidates, const ComparisonBed& bed,
                              const fs::path& folder) {
   const std::string id = "collision_force";
-  write_csv(collision_force_laws(id, bed), folder);
-  write_csv(van_der_wielen_force(id + "_van_der_wielen", bed), folder);
+  constexpr int steps = 120;
+  constexpr double loosest = 1.0;
+  DataTable curves{id, {"voidage [-]"}, {}};
+  for (int step = 0; step <= steps; ++step)
+    curves.rows.push_back({bed.packed_voidage + (loosest - bed.packed_voidage) * step / steps});
+  DataTable points{id + "_points", {"superficial velocity [m/s]", "voidage [-]", "printed V_2 [m/s]"}, {}};
+  for (const PrintedPoint& point : bed.classification.points) {
+    const auto found = fluidisation::bed_voidage(drag::Doroodchi2012{}, bed.bed.sphere, bed.liquid,
+                                                 point.superficial_velocity, bed.packed_voidage);
+    points.rows.push_back({point.superficial_velocity, found.voidage, point.value});
+  }
+  std::vector<std::string> curve_titles, point_titles;
+  for (const CatalogueEntry& law : catalogue()) {
+    if (law.info.kind != LawKind::collision_force) continue;
+    const std::string name(law.info.name);
+    const double middle = 0.5 * (bed.packed_voidage + loosest);
+    const bool by_velocity = collision_force(law, bed, middle, 0.1) != collision_force(law, bed, middle, 0.2);
+    DataTable& table = by_velocity ? points : curves;
+    (by_velocity ? point_titles : curve_titles).push_back(name);
+    table.columns.push_back(name + " [-]");
+    for (auto& row : table.rows)
+      row.push_back(by_velocity ? collision_force(law, bed, row[1], row[2]) : collision_force(law, bed, row[0], 0.0));
+  }
+  write_csv(curves, folder);
+  write_csv(points, folder);
   PlotValues values;
+  values.texts("curve_title", curve_titles);
+  values.texts("point_title", point_titles);
   add_simulated(id, candidates, bed, "voidage_centre_of_mass", "collision_force_ratio", "-", values, folder);
   draw_plot(id, plot_file(id), values, {560, 520}, folder, "", formats);
   return {id, fmt::format("Collision force on the {} sphere", bed.foreign.material),
-          "Mean magnitude of the contact force over the weight, with 95 % intervals, beside Eq. 40 of Peng et al. "
-          "(2014), van der Wielen's force with the printed velocities, and Grbavčić's force between no transition "
-          "(f = 0, the edge of each shade) and none left (f = 1, zero)."};
+          "Mean magnitude of the contact force over the weight, with 95 % intervals, beside the laws of the "
+          "literature, inside their ranges of the voidage. Laws that need the settling velocity: points, with the "
+          "printed velocities. Grbavčić's force: before the transition (f = 0); it goes to zero at its end (f = 1)."};
 }
 
 Picture draw_collision_frequency(const std::vector<Candidate>& candidates, const ComparisonBed& bed,
