@@ -1,19 +1,24 @@
 #include "experiments/numerics/bench/coupled_bench.hpp"
 
 #include <fmt/core.h>
+#include <fmt/ranges.h>
 #include <sys/resource.h>
 
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <stdexcept>
 
 #include "experiments/numerics/bench/sphere_file.hpp"
 #include "experiments/numerics/studies/coupled_bed.hpp"
 #include "solver/laws/scene_file.hpp"
 #include "solver/support/folders.hpp"
+#include "solver/support/toml_table.hpp"
 
 namespace slfb::bench {
 namespace {
+
+std::filesystem::path folder() { return source_folder() / "experiments" / "numerics" / "bench"; }
 
 /// Time in which a bed that starts from a loose packing forgets it [s].
 constexpr double fluidisation = 1.5;
@@ -50,26 +55,29 @@ dem::Particles fluidised(const Scene& scene, int threads, const std::filesystem:
 
 }  // namespace
 
-const std::vector<CoupledCase>& coupled_cases() {
-  // The residual of the pressure equation is the source's.
-  const std::vector<std::string> common{"fluid.pressure_velocity=projection", "fluid.pressure_tolerance=1e-5",
-                                        "coupling.void_fraction=exact-overlap"};
-  const auto with = [&](std::vector<std::string> own) {
-    own.insert(own.begin(), common.begin(), common.end());
-    return own;
-  };
-  static const std::vector<CoupledCase> cases{
-      {"paper-3mm", "16668 spheres of 3 mm in water at 0.06 m/s; liquid step 1e-4 s, solid step 3.3e-5 s",
-       with({"species[0].diameter=3 mm", "liquid.superficial_velocity=0.06 m/s",
-             "contact.time_step=3.3333333333333e-5 s"})},
-      {"paper-5mm", "3600 spheres of 5 mm in water at 0.10 m/s; liquid step 1e-4 s, solid step 5e-5 s",
-       with({"liquid.superficial_velocity=0.10 m/s"})}};
+std::vector<CoupledCase> coupled_cases() {
+  const auto file = folder() / "cases.toml";
+  const toml::table parsed = parse_toml_file(file);
+  TomlTable table(parsed, file.string());
+  std::vector<CoupledCase> cases;
+  for (TomlTable& one : table.tables("case")) {
+    cases.push_back({one.text("name"), one.text("description"), one.texts("set")});
+    one.reject_others();
+  }
+  table.reject_others();
   return cases;
 }
 
-Scene scene_of(const CoupledCase& bench) {
-  return load_scene(source_folder() / "experiments/peng_2014/scenes/6in5W_paper-literal.toml", bench.overrides);
+CoupledCase coupled_case(const std::string& name) {
+  std::vector<std::string> known;
+  for (CoupledCase& one : coupled_cases()) {
+    if (one.name == name) return one;
+    known.push_back(one.name);
+  }
+  throw std::invalid_argument(fmt::format("there is no case \"{}\"; known: {}", name, fmt::join(known, ", ")));
 }
+
+Scene column_scene(const Overrides& overrides) { return load_scene(folder() / "column.toml", overrides); }
 
 CoupledTiming time_coupled(const Scene& scene, int threads, double seconds, const std::filesystem::path& cache,
                            const std::function<void(const std::string&)>& say) {
@@ -100,7 +108,6 @@ CoupledTiming time_coupled(const Scene& scene, int threads, double seconds, cons
   timing.pressure_iterations_per_step =
       static_cast<double>(bed.liquid.cost().pressure_iterations - liquid_before.pressure_iterations) / steps;
   timing.continuity_error = bed.liquid.continuity_error();
-  timing.pressure_drop = bed.liquid.inlet_pressure();
   const auto n = static_cast<double>(timing.particles);
   double moment = 0.0, volume = 0.0;
   for (std::size_t i = 0; i < timing.particles; ++i) {

@@ -20,7 +20,7 @@
 namespace slfb::studies {
 namespace {
 
-constexpr const char* slice = "peng_2014/scenes/6in5W_one-dimensional.toml";
+constexpr const char* slice = "numerics/studies/scenes/slice.toml";
 
 /// By the names of measure_runs.
 const std::vector<std::pair<ProblemQuantity, std::string>>& measured() {
@@ -183,7 +183,7 @@ Problem bed_weight_problem() {
 
 Problem bed_slice_problem() {
   return {"bed-slice",
-          "A slice of the paper's bed, 733 spheres of 5 mm, and 6 mm steel spheres that are dropped through it.",
+          "A slice of a bed, 733 spheres of 5 mm, and 6 mm steel spheres that are dropped through it.",
           "simulated second",
           slice,
           bed_quantities(),
