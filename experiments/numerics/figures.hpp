@@ -1,5 +1,7 @@
 #pragma once
 
+#include <filesystem>
+#include <string>
 #include <vector>
 
 #include "experiments/figures/figure.hpp"
@@ -24,5 +26,10 @@ Figure less_is_enough();
 std::vector<Figure> frontier_charts();
 /// stability-ID for every map of experiments/numerics/stability/maps.
 std::vector<Figure> stability_maps();
+
+/// Stands for figure `id` while its results do not exist: a picture that says so, and a note with the command that
+/// computes them.
+FigureOutput not_yet_computed(const std::string& id, const std::string& caption, const std::string& command,
+                              const std::filesystem::path& folder);
 
 }  // namespace slfb

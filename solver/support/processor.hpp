@@ -8,4 +8,8 @@ namespace slfb {
 /// not say. It is kept with every measured time.
 std::string processor_name();
 
+/// CPU time of the calling thread so far [s]: other threads and processes hardly change it, and it resolves
+/// microseconds.
+double thread_cpu_seconds();
+
 }  // namespace slfb

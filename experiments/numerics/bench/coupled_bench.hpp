@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "solver/scene/scene_file.hpp"
+#include "solver/laws/scene_file.hpp"
 
 /// How long the parts of the solver take on this machine.
 namespace slfb::bench {

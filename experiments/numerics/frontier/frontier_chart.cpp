@@ -3,96 +3,99 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
+#include <functional>
 #include <limits>
 
 #include "experiments/numerics/figures.hpp"
 #include "reports/gnuplot.hpp"
+#include "solver/support/folders.hpp"
 
 namespace slfb::frontier {
 namespace {
 
 constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
+constexpr double infinity = std::numeric_limits<double>::infinity();
 
-constexpr std::array colours{"#0072b2", "#d55e00", "#009e73", "#aa4499", "#8a6d00", "#56b4e9", "#5a4fa2", "#b0303c"};
-
-std::string style_of(std::size_t series) {
-  constexpr std::array points{7, 5, 9, 13, 11, 15, 6, 4};
-  const std::size_t k = series % colours.size();
-  return fmt::format("linecolor rgb '{}' linewidth 1.6 pointtype {} pointsize 0.75", colours[k], points[k]);
-}
-
-std::string bars_of(std::size_t series) {
-  return fmt::format("linecolor rgb '{}' linewidth 1.2 pointtype 0", colours[series % colours.size()]);
-}
+/// Columns of a method's table: the axis, then these (from 1, as gnuplot counts), then five of each quantity.
+constexpr int time_column = 2, count_column = 3;
+constexpr int first_quantity_column = 6, columns_of_quantity = 5, error_within_quantity = 2;
+/// Of this machine's quick set: axis, the two costs, one error of each quantity.
+constexpr int first_error_column_here = 4;
 
 /// A label of an axis as a heading: with a unit.
 std::string heading(const std::string& label) { return label.ends_with(']') ? label : label + " [-]"; }
 
-struct Reason {
-  std::string text;
-  int number;
-};
-
-/// A method that gave the quantity with an error that a logarithmic axis can show.
+/// Whether the point has an error that a logarithmic axis can show.
 bool has_point(const ReducedPoint& point, const std::string& quantity) {
   const auto found = point.values.find(quantity);
   return point.failure.empty() && found != point.values.end() && found->second.error > 0.0 &&
          std::isfinite(found->second.error);
 }
 
-}  // namespace
+double count_of(const ReducedPoint& point, const std::string& count) {
+  const auto found = point.counts.find(count);
+  return found == point.counts.end() ? nothing : found->second;
+}
 
-FigureOutput draw_frontier(const Study& study, const ReducedStudy& reduced, const ReducedStudy& beside,
-                           const std::filesystem::path& folder) {
-  const std::string id = "frontier-" + study.id;
-  FigureOutput output{id, {}, study.caption, {}};
-  const studies::Problem& problem = studies::find_problem(study.problem);
-  if (reduced.points.empty()) {
-    output.notes.push_back(fmt::format("Not yet computed: slfb frontier {}.", study.id));
-    draw_figure(id,
-                "set label 1 'not yet computed' at graph 0.5, 0.5 center\nset xrange [0:1]\nset yrange [0:1]\nunset "
-                "tics\nplot NaN notitle\n",
-                {600, 200}, folder);
-    return output;
+/// What the tables and the panels of a chart are made of.
+struct Chart {
+  std::string id;
+  const Study& study;
+  const studies::Problem& problem;
+  const ReducedStudy& reduced;
+  const ReducedStudy& beside;           ///< this machine's quick set, or no points
+  std::vector<std::string> quantities;  ///< of which some point has an error
+  std::vector<std::string> failures;    ///< each reason once; its number is its place, from 1
+  std::vector<std::string> tables;      ///< of the methods
+  std::filesystem::path folder;
+
+  [[nodiscard]] std::string title(const std::string& quantity) const {
+    return studies::find_quantity(problem, quantity).title;
   }
-  // One table a method: what is drawn, and no more.
-  std::vector<Reason> reasons;
-  std::vector<std::string> columns{heading(study.axis_label), fmt::format("CPU time per {} [s]", problem.cost_unit),
-                                   fmt::format("{} per {} [-]", study.count, problem.cost_unit), "replicates [-]",
-                                   "number of the reason of failure [-]"};
-  const std::size_t first_quantity = columns.size();
-  std::vector<std::string> shown;
-  for (const std::string& quantity : study.quantities)
-    if (std::any_of(reduced.points.begin(), reduced.points.end(), [&](const ReducedPoint& p) {
-          return p.values.contains(quantity) && std::isfinite(p.values.at(quantity).error);
-        }))
-      shown.push_back(quantity);
-  for (const std::string& quantity : shown) {
-    const auto& about = studies::find_quantity(problem, quantity);
+  [[nodiscard]] std::string cost_label(bool by_count) const {
+    return by_count ? fmt::format("{} per {}", study.count, problem.cost_unit)
+                    : fmt::format("CPU seconds per {}", problem.cost_unit);
+  }
+  [[nodiscard]] std::string front_table(const std::string& quantity, bool by_count) const {
+    return fmt::format("{}_front_{}{}", id, quantity, by_count ? "_by_count" : "");
+  }
+  [[nodiscard]] double cost(const ReducedPoint& point, bool by_count) const {
+    return by_count ? count_of(point, study.count) : point.cpu_seconds;
+  }
+};
+
+std::vector<std::string> headings_of(const Chart& chart) {
+  std::vector<std::string> columns{heading(chart.study.axis_label),
+                                   fmt::format("CPU time per {} [s]", chart.problem.cost_unit),
+                                   fmt::format("{} per {} [-]", chart.study.count, chart.problem.cost_unit),
+                                   "replicates [-]", "number of the reason of failure [-]"};
+  for (const std::string& quantity : chart.quantities) {
+    const auto& about = studies::find_quantity(chart.problem, quantity);
     for (const char* what : {"", " (half width of the 95 % interval)"})
       columns.push_back(fmt::format("{}{} [{}]", about.title, what, about.unit));
     for (const char* what : {"relative error", "relative error (low)", "relative error (high)"})
       columns.push_back(fmt::format("{} of {} [-]", what, about.title));
   }
-  std::vector<std::string> names;
-  for (std::size_t s = 0; s < study.series.size(); ++s) {
-    DataTable table{fmt::format("{}_{}", id, s), columns, {}};
-    for (const ReducedPoint& point : reduced.points) {
-      if (point.series != study.series[s]) continue;
+  return columns;
+}
+
+/// One table a method: what is drawn, and no more.
+void write_methods(Chart& chart, FigureOutput& output) {
+  const auto columns = headings_of(chart);
+  for (std::size_t s = 0; s < chart.study.series.size(); ++s) {
+    DataTable table{fmt::format("{}_{}", chart.id, s), columns, {}};
+    for (const ReducedPoint& point : chart.reduced.points) {
+      if (point.series != chart.study.series[s]) continue;
       double reason = nothing;
       if (!point.failure.empty()) {
-        auto known =
-            std::find_if(reasons.begin(), reasons.end(), [&](const Reason& r) { return r.text == point.failure; });
-        if (known == reasons.end())
-          known = reasons.insert(known, {point.failure, static_cast<int>(reasons.size()) + 1});
-        reason = known->number;
+        auto known = std::ranges::find(chart.failures, point.failure);
+        if (known == chart.failures.end()) known = chart.failures.insert(known, point.failure);
+        reason = static_cast<double>(known - chart.failures.begin() + 1);
       }
-      const auto count = point.counts.find(study.count);
-      std::vector<double> row{point.axis, point.cpu_seconds, count == point.counts.end() ? nothing : count->second,
+      std::vector<double> row{point.axis, point.cpu_seconds, count_of(point, chart.study.count),
                               static_cast<double>(point.replicates), reason};
-      for (const std::string& quantity : shown) {
+      for (const std::string& quantity : chart.quantities) {
         const auto found = point.values.find(quantity);
         const bool usable = point.failure.empty() && found != point.values.end() && found->second.error > 0.0;
         const PointValue value = usable ? found->second : PointValue{nothing, nothing, nothing, nothing};
@@ -102,151 +105,212 @@ FigureOutput draw_frontier(const Study& study, const ReducedStudy& reduced, cons
       }
       table.rows.push_back(std::move(row));
     }
-    names.push_back(table.name);
-    output.data.push_back(write_csv(table, folder));
+    chart.tables.push_back(table.name);
+    output.data.push_back(write_csv(table, chart.folder));
   }
-  DataTable here{id + "_here", {columns[0], columns[1], columns[2]}, {}};
-  for (const std::string& quantity : shown)
-    here.columns.push_back(fmt::format("relative error of {} [-]", studies::find_quantity(problem, quantity).title));
-  for (const ReducedPoint& point : beside.points) {
-    const auto count = point.counts.find(study.count);
-    std::vector<double> row{point.axis, point.cpu_seconds, count == point.counts.end() ? nothing : count->second};
-    for (const std::string& quantity : shown)
+}
+
+/// The points of this machine's quick set; not written without rows.
+DataTable write_beside(const Chart& chart, FigureOutput& output) {
+  auto columns = headings_of(chart);
+  columns.resize(first_error_column_here - 1);
+  DataTable here{chart.id + "_here", std::move(columns), {}};
+  for (const std::string& quantity : chart.quantities)
+    here.columns.push_back(fmt::format("relative error of {} [-]", chart.title(quantity)));
+  for (const ReducedPoint& point : chart.beside.points) {
+    std::vector<double> row{point.axis, point.cpu_seconds, count_of(point, chart.study.count)};
+    for (const std::string& quantity : chart.quantities)
       row.push_back(has_point(point, quantity) ? point.values.at(quantity).error : nothing);
     here.rows.push_back(std::move(row));
   }
-  if (!here.rows.empty()) output.data.push_back(write_csv(here, folder));
-  const bool both_costs = shown.size() <= 3;
-  for (std::size_t q = 0; q < shown.size(); ++q)
-    for (const bool by_count : both_costs ? std::vector{true, false} : std::vector{false}) {
-      DataTable front{fmt::format("{}_front_{}{}", id, shown[q], by_count ? "_by_count" : ""),
-                      {columns[by_count ? 2 : 1], "relative error [-]"},
-                      {}};
-      for (const ReducedPoint* point : pareto_front(reduced, shown[q], by_count ? study.count : ""))
-        if (point->values.at(shown[q]).error > 0.0)
-          front.rows.push_back(
-              {by_count ? point->counts.at(study.count) : point->cpu_seconds, point->values.at(shown[q]).error});
-      output.data.push_back(write_csv(front, folder));
-    }
+  if (!here.rows.empty()) output.data.push_back(write_csv(here, chart.folder));
+  return here;
+}
 
-  const int key_rows = here.rows.empty() ? 2 : 3;
-  const std::size_t columns_drawn = std::min<std::size_t>(shown.size() > 6 ? 4 : 3, shown.size());
-  const std::size_t rows_drawn = both_costs ? 2 : (shown.size() + columns_drawn - 1) / columns_drawn;
-  std::string plots;
-  bool key_drawn = false;
-  // What no machine changes above, the time of this machine below.
-  for (const int cost : both_costs ? std::vector<int>{3, 2} : std::vector<int>{2})
-    for (std::size_t q = 0; q < shown.size(); ++q) {
-      const auto at = static_cast<int>(first_quantity + 5 * q) + 1;  // first column of the quantity
-      plots += fmt::format("set title {} font ',13' offset 0,-0.8\nset xlabel {} font ',13'\n",
-                           gnuplot_text(studies::find_quantity(problem, shown[q]).title),
-                           gnuplot_text(cost == 2 ? fmt::format("CPU seconds per {}", problem.cost_unit)
-                                                  : fmt::format("{} per {}", study.count, problem.cost_unit)));
-      plots += q % columns_drawn == 0 ? "set ylabel 'relative error' font ',13' offset 2,0\n" : "unset ylabel\n";
-      const auto reference = reduced.reference.find(shown[q]);
-      const bool band = reference != reduced.reference.end() && reference->second.error_half_width > 0.0;
-      if (band)
-        plots += fmt::format(
-            "set object 1 rectangle from graph 0, graph 0 to graph 1, first {:.6g} fillcolor rgb '#dfe3e8' fillstyle "
-            "solid noborder behind\n",
-            reference->second.error_half_width);
-      std::string elements;
-      for (std::size_t s = 0; s < names.size(); ++s) {
-        // A series without a point keeps its place in the key.
-        const bool drawn = std::any_of(reduced.points.begin(), reduced.points.end(), [&](const ReducedPoint& p) {
-          return p.series == study.series[s] && has_point(p, shown[q]) && (cost == 2 || p.counts.contains(study.count));
-        });
-        const std::string title = key_drawn ? "''" : gnuplot_text(study.series[s]);
-        elements += elements.empty() ? "" : ", ";
-        if (drawn)  // bars first: they would take the points' middle away
-          elements += fmt::format(
-              "'{}.csv' skip 1 using {}:{}:{}:{} with yerrorbars {} notitle, '' skip 1 using {}:{} with linespoints {} "
-              "title {}",
-              names[s], cost, at + 2, at + 3, at + 4, bars_of(s), cost, at + 2, style_of(s), title);
-        else
-          elements += fmt::format("NaN with linespoints {} title {}", style_of(s), title);
-        if (std::none_of(reduced.points.begin(), reduced.points.end(),
-                         [&](const ReducedPoint& p) { return p.series == study.series[s] && !p.failure.empty(); }))
-          continue;
-        // A failure has a cost but no error: a numbered cross at the top of the chart.
-        elements += fmt::format(
-            ", '{2}.csv' skip 1 using (${0} > 0 ? ${1} : NaN):(top) with points pointtype 2 pointsize 1.1 linewidth 2 "
-            "linecolor rgb '#b0303c' notitle, '' skip 1 using (${0} > 0 ? ${1} : NaN):(top):(sprintf('%d', ${0})) with "
-            "labels "
-            "offset 0.9, 0 font ',10' textcolor rgb '#b0303c' notitle",
-            5, cost, names[s]);
-      }
-      const auto front = pareto_front(reduced, shown[q], cost == 2 ? "" : study.count);
-      if (std::any_of(front.begin(), front.end(), [&](const ReducedPoint* p) { return has_point(*p, shown[q]); }))
-        elements += fmt::format(
-            ", '{}_front_{}{}.csv' skip 1 using 1:2 with fsteps linecolor rgb '#000000' linewidth 1 dashtype (6, 4) "
-            "title {}",
-            id, shown[q], cost == 2 ? "" : "_by_count", key_drawn ? "''" : "'Pareto front'");
-      const auto cost_column = static_cast<std::size_t>(cost) - 1;
-      if (std::any_of(here.rows.begin(), here.rows.end(),
-                      [&](const auto& row) { return std::isfinite(row[cost_column]) && std::isfinite(row[3 + q]); }))
-        elements += fmt::format(
-            ", '{}.csv' skip 1 using {}:{} with points pointtype 6 pointsize 1.4 linecolor rgb '#000000' title {}",
-            here.name, cost, 4 + q, key_drawn ? "''" : "'quick set, this machine'");
-      // The range first, so that the marks of failures can be put at its top.
-      double low = std::numeric_limits<double>::infinity(), high = 0.0;
-      for (const auto& row : here.rows)
-        if (std::isfinite(row[3 + q])) low = std::min(low, row[3 + q]), high = std::max(high, row[3 + q]);
-      for (const ReducedPoint& point : reduced.points) {
-        const auto found = point.values.find(shown[q]);
-        if (!point.failure.empty() || found == point.values.end() || !(found->second.error > 0.0)) continue;
-        low = std::min(low, found->second.error);
-        high = std::max(high, found->second.error);
-      }
-      low = std::max(low, 1e-12);
-      // Points of one cost leave gnuplot without a range of its own.
-      double least = std::numeric_limits<double>::infinity(), most = 0.0;
-      for (const ReducedPoint& point : reduced.points) {
-        const auto count = point.counts.find(study.count);
-        const double value = cost == 2 ? point.cpu_seconds : count == point.counts.end() ? nothing : count->second;
-        least = std::fmin(least, value);
-        most = std::fmax(most, value);
-      }
-      plots += most < 1.01 * least ? fmt::format("set xrange [{:.6g}:{:.6g}]\n", 0.5 * least, 2.0 * most)
-                                   : std::string("set xrange [*:*]\n");
-      plots += fmt::format("top = {:.6g}\nset yrange [{:.6g}:{:.6g}]\n", 5.0 * high, 0.4 * low, 9.0 * high);
-      if (!key_drawn)
-        plots +=
-            fmt::format("set key at screen 0.5, 0.985 center top vertical maxrows {} width 2 font ',12'\n", key_rows);
-      plots += fmt::format("plot {}\nunset object 1\nset key off\n", elements);
-      key_drawn = true;
-    }
+/// One quantity against one cost.
+struct Panel {
+  std::string title, x_label, front;
+  bool first = false, has_front = false, has_here = false;
+  int cost = time_column, error = 0, here = 0;   ///< columns
+  double band = 0.0, left = 0.0, right = 0.0;    ///< 0: none, automatic
+  double low = infinity, high = 0.0, top = 0.0;  ///< range of the error, and where failures stand
+  std::vector<double> drawn;                     ///< numbers of the methods that have points, from 1
+};
 
+Panel panel_of(const Chart& chart, std::size_t q, bool by_count, const DataTable& here, FigureOutput& output) {
+  const std::string& quantity = chart.quantities[q];
+  Panel panel;
+  panel.title = chart.title(quantity);
+  panel.x_label = chart.cost_label(by_count);
+  panel.cost = by_count ? count_column : time_column;
+  panel.error = first_quantity_column + columns_of_quantity * static_cast<int>(q) + error_within_quantity;
+  panel.here = first_error_column_here + static_cast<int>(q);
+  if (const auto reference = chart.reduced.reference.find(quantity);
+      reference != chart.reduced.reference.end() && reference->second.error_half_width > 0.0)
+    panel.band = reference->second.error_half_width;
+
+  DataTable front{chart.front_table(quantity, by_count),
+                  {headings_of(chart)[static_cast<std::size_t>(panel.cost) - 1], "relative error [-]"},
+                  {}};
+  for (const ReducedPoint* point : pareto_front(chart.reduced, quantity, by_count ? chart.study.count : ""))
+    if (point->values.at(quantity).error > 0.0)
+      front.rows.push_back({chart.cost(*point, by_count), point->values.at(quantity).error});
+  output.data.push_back(write_csv(front, chart.folder));
+  panel.front = front.name;
+  panel.has_front = !front.rows.empty();
+
+  double least_error = infinity, largest_error = 0.0, least_cost = infinity, largest_cost = 0.0;
+  const auto include = [&](double error) {
+    least_error = std::min(least_error, error);
+    largest_error = std::max(largest_error, error);
+  };
+  for (std::size_t s = 0; s < chart.study.series.size(); ++s)
+    if (std::ranges::any_of(chart.reduced.points, [&](const ReducedPoint& point) {
+          return point.series == chart.study.series[s] && has_point(point, quantity) &&
+                 std::isfinite(chart.cost(point, by_count));
+        }))
+      panel.drawn.push_back(static_cast<double>(s + 1));
+  for (const ReducedPoint& point : chart.reduced.points) {
+    if (has_point(point, quantity)) include(point.values.at(quantity).error);
+    least_cost = std::fmin(least_cost, chart.cost(point, by_count));
+    largest_cost = std::fmax(largest_cost, chart.cost(point, by_count));
+  }
+  for (const auto& row : here.rows) {
+    const double error = row[static_cast<std::size_t>(panel.here) - 1];
+    if (!std::isfinite(error)) continue;
+    include(error);
+    panel.has_here = panel.has_here || std::isfinite(row[static_cast<std::size_t>(panel.cost) - 1]);
+  }
+  panel.low = 0.4 * std::max(least_error, 1e-12);
+  panel.high = 9.0 * largest_error;
+  panel.top = 5.0 * largest_error;
+  if (largest_cost < 1.01 * least_cost) {  // points of one cost leave gnuplot without a range of its own
+    panel.left = 0.5 * least_cost;
+    panel.right = 2.0 * largest_cost;
+  }
+  return panel;
+}
+
+void set_panels(const std::vector<Panel>& panels, PlotValues& values) {
+  const auto texts = [&](const std::string& name, std::string Panel::*member) {
+    std::vector<std::string> list;
+    for (const Panel& panel : panels) list.push_back(panel.*member);
+    values.texts(name, list);
+  };
+  const auto numbers = [&](const std::string& name, auto Panel::*member) {
+    std::vector<double> list;
+    for (const Panel& panel : panels) list.push_back(static_cast<double>(panel.*member));
+    values.numbers(name, list);
+  };
+  texts("panel_title", &Panel::title);
+  texts("panel_x_label", &Panel::x_label);
+  std::vector<std::string> fronts;
+  std::vector<double> drawn, drawn_end;
+  for (const Panel& panel : panels) {
+    fronts.push_back(panel.front);
+    drawn.insert(drawn.end(), panel.drawn.begin(), panel.drawn.end());
+    drawn_end.push_back(static_cast<double>(drawn.size()));
+  }
+  drawn.push_back(1.0);  // where a panel draws none, gnuplot reads the entry behind the last all the same
+  values.markups("panel_front", fronts);
+  values.numbers("drawn", drawn);
+  values.numbers("panel_drawn_end", drawn_end);
+  numbers("panel_first", &Panel::first);
+  numbers("panel_has_front", &Panel::has_front);
+  numbers("panel_has_here", &Panel::has_here);
+  numbers("panel_cost", &Panel::cost);
+  numbers("panel_error", &Panel::error);
+  numbers("panel_here", &Panel::here);
+  numbers("panel_band", &Panel::band);
+  numbers("panel_left", &Panel::left);
+  numbers("panel_right", &Panel::right);
+  numbers("panel_low", &Panel::low);
+  numbers("panel_high", &Panel::high);
+  numbers("panel_top", &Panel::top);
+}
+
+/// Lines below the panels, cut to the width of the picture.
+std::vector<std::string> foot_of(const Chart& chart, int width) {
   std::vector<std::string> lines;
-  if (!study.reference_text.empty()) lines.push_back("Errors: " + study.reference_text);
-  lines.push_back(fmt::format("{} set, {}, {}.", reduced.set, reduced.machine, reduced.date));
-  for (const Reason& reason : reasons) lines.push_back(fmt::format("x {}  failed: {}", reason.number, reason.text));
-  const int width = columns_drawn == 1 ? 620 : 330 * static_cast<int>(columns_drawn) + 60;
+  if (!chart.study.reference_text.empty()) lines.push_back("Errors: " + chart.study.reference_text);
+  lines.push_back(fmt::format("{} set, {}, {}.", chart.reduced.set, chart.reduced.machine, chart.reduced.date));
+  for (std::size_t k = 0; k < chart.failures.size(); ++k)
+    lines.push_back(fmt::format("x {}  failed: {}", k + 1, chart.failures[k]));
   const std::size_t longest = static_cast<std::size_t>(width) / 6;
   for (std::string& line : lines)
     if (line.size() > longest) line = line.substr(0, longest - 3) + "...";
+  return lines;
+}
+
+/// Puts the panels on the page and draws it.
+void draw(const Chart& chart, const std::vector<Panel>& panels, const DataTable& here, int rows, int columns) {
+  const int width = columns == 1 ? 620 : 330 * columns + 60;
+  const auto lines = foot_of(chart, width);
+  const int key_rows = here.rows.empty() ? 2 : 3;
   const int head = 32 + 17 * key_rows, foot = 16 * static_cast<int>(lines.size()) + 10;
-  const int height = 290 * static_cast<int>(rows_drawn) + head + foot;
-  std::string commands = fmt::format("set logscale xy\nset format '10^{{%L}}'\nset tics font ',11'\n");
+  const int height = 290 * rows + head + foot;
+  std::vector<double> positions;
   for (std::size_t k = 0; k < lines.size(); ++k)
-    commands +=
-        fmt::format("set label {} {} at screen 0.012, {:.5f} font ',10' textcolor rgb '#6b7580' front\n", 901 + k,
-                    gnuplot_text(lines[k]), (foot - 4.0 - 16.0 * (static_cast<double>(k) + 0.5)) / height);
-  commands +=
-      fmt::format("set multiplot layout {},{} margins {:.4f},0.97,{:.4f},{:.4f} spacing 0.075,{:.4f}\n", rows_drawn,
-                  columns_drawn, 78.0 / width, (foot + 68.0) / height, 1.0 - (head + 20.0) / height, 108.0 / height);
-  // The text below belongs to the page, not to each of its plots.
-  const std::string clear = fmt::format("unset for [tag=901:{}] label tag\n", 900 + lines.size());
-  const auto after_first = plots.find("unset object 1\n");
-  plots.insert(after_first, clear);
-  draw_figure(id, commands + plots + "unset multiplot\n", {width, height}, folder);
+    positions.push_back((foot - 4.0 - 16.0 * (static_cast<double>(k) + 0.5)) / height);
+  std::vector<std::string> failed;
+  for (std::size_t s = 0; s < chart.tables.size(); ++s)
+    if (std::ranges::any_of(chart.reduced.points, [&](const ReducedPoint& point) {
+          return point.series == chart.study.series[s] && !point.failure.empty();
+        }))
+      failed.push_back(chart.tables[s]);
+  PlotValues values;
+  values.number("page_rows", rows);
+  values.number("page_columns", columns);
+  values.number("page_left", 78.0 / width);
+  values.number("page_bottom", (foot + 68.0) / height);
+  values.number("page_top", 1.0 - (head + 20.0) / height);
+  values.number("page_gap", 108.0 / height);
+  values.number("key_rows", key_rows);
+  values.markups("series", chart.tables);
+  values.texts("series_title", chart.study.series);
+  values.files("failed", failed, chart.tables.front());
+  values.markup("here", here.rows.empty() ? chart.tables.front() : here.name);
+  values.texts("foot", lines);
+  values.numbers("foot_position", positions);
+  set_panels(panels, values);
+  draw_plot(chart.id, source_folder() / "experiments/numerics/frontier/chart.gp", values, {width, height},
+            chart.folder);
+}
+
+}  // namespace
+
+FigureOutput draw_frontier(const Study& study, const ReducedStudy& reduced, const ReducedStudy& beside,
+                           const std::filesystem::path& folder) {
+  const std::string id = "frontier-" + study.id;
+  if (reduced.points.empty()) return not_yet_computed(id, study.caption, "slfb frontier " + study.id, folder);
+  FigureOutput output{id, {}, study.caption, {}};
+  Chart chart{id, study, studies::find_problem(study.problem), reduced, beside, {}, {}, {}, folder};
+  for (const std::string& quantity : study.quantities)
+    if (std::ranges::any_of(reduced.points, [&](const ReducedPoint& point) {
+          return point.values.contains(quantity) && std::isfinite(point.values.at(quantity).error);
+        }))
+      chart.quantities.push_back(quantity);
+  write_methods(chart, output);
+  const DataTable here = write_beside(chart, output);
+  const std::size_t quantities = chart.quantities.size();
+  const bool both_costs = quantities <= 3;
+  const std::size_t columns = std::min<std::size_t>(quantities > 6 ? 4 : 3, quantities);
+  std::vector<Panel> panels;
+  // What no machine changes above, the time of this machine below.
+  for (const bool by_count : both_costs ? std::vector{true, false} : std::vector{false})
+    for (std::size_t q = 0; q < quantities; ++q) {
+      panels.push_back(panel_of(chart, q, by_count, here, output));
+      panels.back().first = q % columns == 0;
+    }
+  const std::size_t rows = both_costs ? 2 : (quantities + columns - 1) / columns;
+  draw(chart, panels, here, static_cast<int>(rows), static_cast<int>(columns));
   output.notes.push_back(
       fmt::format("{} set of `slfb frontier {}`, {}, {}.", reduced.set, study.id, reduced.machine, reduced.date));
   if (!here.rows.empty())
     output.notes.push_back(
         fmt::format("Circles: quick set, {}, {}; against its own reference.", beside.machine, beside.date));
-  for (const Reason& reason : reasons)
-    output.notes.push_back(fmt::format("Failed (x {}): {}", reason.number, reason.text));
+  for (std::size_t k = 0; k < chart.failures.size(); ++k)
+    output.notes.push_back(fmt::format("Failed (x {}): {}", k + 1, chart.failures[k]));
   if (!study.default_text.empty()) output.notes.push_back("The suite's default: " + study.default_text);
   return output;
 }

@@ -11,6 +11,7 @@
 #include <nlohmann/json.hpp>
 
 #include "experiments/quantities/analysis.hpp"
+#include "solver/support/files.hpp"
 #include "solver/support/folders.hpp"
 #include "solver/support/toml_table.hpp"
 
@@ -249,9 +250,7 @@ void save_reduced(const ReducedStudy& reduced, const std::filesystem::path& file
     for (const auto& [quantity, value] : point.values) one["values"][quantity] = json_of(value);
     json["points"].push_back(std::move(one));
   }
-  std::ofstream stream(file);
-  stream << json.dump(1) << '\n';
-  if (!stream.flush()) throw std::runtime_error(fmt::format("cannot write {}", file.string()));
+  write_file(file, json.dump(1) + "\n");
 }
 
 ReducedStudy load_committed(const std::string& id) {

@@ -10,6 +10,7 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
+#include "solver/support/files.hpp"
 #include "solver/support/folders.hpp"
 #include "solver/support/toml_table.hpp"
 
@@ -235,9 +236,7 @@ void save_solved(const SolvedMap& solved, const std::filesystem::path& file) {
                                   {"diagnosis", b.diagnosis},
                                   {"theory", theory}});
   }
-  std::ofstream stream(file);
-  stream << json.dump(1) << '\n';
-  if (!stream.flush()) throw std::runtime_error(fmt::format("cannot write {}", file.string()));
+  write_file(file, json.dump(1) + "\n");
 }
 
 SolvedMap load_solved(const Map& map, const std::filesystem::path& out) {

@@ -7,9 +7,9 @@
 #include <numbers>
 #include <random>
 
-#include "experiments/numerics/studies/thread_time.hpp"
 #include "solver/coupling/diffusion_smoothing.hpp"
 #include "solver/coupling/void_fraction.hpp"
+#include "solver/support/processor.hpp"
 
 namespace slfb::void_fraction_study {
 namespace {
@@ -105,9 +105,9 @@ std::vector<Outcome> compare(const Assembly& assembly, int across, int placement
       const std::vector<double>* found = nullptr;
       double spent = 0.0;
       do {
-        const double start = studies::thread_cpu_seconds();
+        const double start = thread_cpu_seconds();
         found = &sharings[m](spheres);
-        const double seconds = studies::thread_cpu_seconds() - start;
+        const double seconds = thread_cpu_seconds() - start;
         outcome.nanoseconds = std::min(outcome.nanoseconds, 1e9 * seconds / static_cast<double>(spheres.size()));
         spent += seconds;
       } while (spent < timed);

@@ -6,7 +6,6 @@
 #include <string>
 #include <vector>
 
-#include "experiments/numerics/studies/thread_time.hpp"
 #include "solver/laws/scene_file.hpp"
 
 /// Small numerical experiments that studies and maps repeat with other settings.

@@ -1,8 +1,5 @@
 #include "experiments/numerics/studies/trial_store.hpp"
 
-#include <fmt/format.h>
-#include <unistd.h>
-
 #include <atomic>
 #include <cmath>
 #include <fstream>
@@ -12,6 +9,7 @@
 #include <thread>
 
 #include "experiments/runs/stop_signals.hpp"
+#include "solver/support/files.hpp"
 
 namespace slfb::studies {
 namespace {
@@ -51,13 +49,7 @@ void TrialStore::keep(const Trial& trial, const TrialResult& result) const {
   for (const auto& [name, value] : result.values)
     kept["values"][name] = {
         {"value", number(value.value)}, {"error", number(value.error)}, {"exact", number(value.exact)}};
-  // Renamed when whole: another process may read it meanwhile.
-  const auto temporary = fmt::format("{}.{}", file.string(), getpid());
-  std::ofstream stream(temporary);
-  stream << kept.dump(1) << '\n';
-  stream.close();
-  if (!stream) throw std::runtime_error(fmt::format("cannot write {}", temporary));
-  std::filesystem::rename(temporary, file);
+  write_file(file, kept.dump(1) + "\n");
 }
 
 bool solve_missing(const std::vector<Trial>& trials, const TrialStore& store, const SolveOptions& options) {

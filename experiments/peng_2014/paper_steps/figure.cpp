@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "experiments/figures/drawn_table.hpp"
+#include "experiments/figures/figure_folder.hpp"
 #include "experiments/numerics/frontier/solved_study.hpp"
 #include "experiments/numerics/stability/map.hpp"
 #include "experiments/peng_2014/figures.hpp"
@@ -16,6 +17,8 @@ namespace {
 
 using frontier::ReducedPoint;
 using frontier::SolvedStudy;
+
+const FigureFolder folder{"peng_2014/paper_steps"};
 
 FigureOutput draw(const FigureContext& context) {
   const auto file = source_folder() / "experiments/peng_2014/paper_steps/paper_steps.toml";
@@ -98,25 +101,18 @@ FigureOutput draw(const FigureContext& context) {
                                 solved.reduced.set, solved.reduced.date));
   }
   table.reject_others();
-  return draw_table(
-      "paper-steps",
-      "Which settings of the paper stand beyond a limit of the stability maps, and what its contact step changes "
-      "against a resolved one in slices of its bed. Every number is read from the published maps and studies; a "
-      "change smaller than its 95 % interval is not told from none.",
-      {{"\nsetting of the paper", 14, true},
-       {"\nmeasured by", 330, true},
-       {"\nthe paper", 640},
-       {"limit, or\nresolved", 790},
-       {"of the limit,\nor change", 950, false, "ours"},
-       {"\n", 970, true}},
-      rows, data, notes, 1110, context.out);
+  return draw_table("paper-steps", folder.caption(),
+                    {{"\nsetting of the paper", 14, true},
+                     {"\nmeasured by", 330, true},
+                     {"\nthe paper", 640},
+                     {"limit, or\nresolved", 790},
+                     {"of the limit,\nor change", 950, false, "ours"},
+                     {"\n", 970, true}},
+                    rows, data, notes, 1110, context.out);
 }
 
 }  // namespace
 
-Figure paper_steps() {
-  return {"paper-steps", "What follows for the paper: its steps and their limits", no_runs, draw,
-          "peng_2014/paper_steps"};
-}
+Figure paper_steps() { return {"paper-steps", folder.title(), no_runs, draw, folder.path().string()}; }
 
 }  // namespace slfb

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include "experiments/figures/drawn_table.hpp"
+#include "experiments/figures/figure_folder.hpp"
 #include "experiments/numerics/figures.hpp"
 #include "experiments/numerics/frontier/solved_study.hpp"
 
@@ -10,6 +11,8 @@ namespace {
 using frontier::percent;
 using frontier::ReducedPoint;
 using frontier::SolvedStudy;
+
+const FigureFolder folder{"numerics/frontier/default_knees"};
 
 /// "0.4 of the cost: 12 ± 3 %": the best of what is cheaper, or the cheapest of what is better.
 std::string neighbour(const SolvedStudy& solved, const ReducedPoint& of, const std::string& quantity, bool cheaper) {
@@ -59,26 +62,18 @@ FigureOutput draw(const FigureContext& context) {
       first = false;
     }
   }
-  return draw_table(
-      "default-knees",
-      "The point of each study nearest to the suite's default: its error, the least error of whatever is "
-      "cheaper, and the cheapest that is better. A default sits on a knee where what is cheaper is much worse "
-      "and what is better hardly so, or costs much. Where the interval is wider than the error, the error is "
-      "not told from zero. The notes say why each default was taken.",
-      {{"\nstudy", 14, true},
-       {"\ndefault, at", 170, true},
-       {"\nquantity", 400, true},
-       {"\nerror", 700, false, "ours"},
-       {"best of what\nis cheaper", 940},
-       {"cheapest of what\nis better", 1170}},
-      rows, data, notes, 1184, context.out);
+  return draw_table("default-knees", folder.caption(),
+                    {{"\nstudy", 14, true},
+                     {"\ndefault, at", 170, true},
+                     {"\nquantity", 400, true},
+                     {"\nerror", 700, false, "ours"},
+                     {"best of what\nis cheaper", 940},
+                     {"cheapest of what\nis better", 1170}},
+                    rows, data, notes, 1184, context.out);
 }
 
 }  // namespace
 
-Figure default_knees() {
-  return {"default-knees", "The knee that each default of the suite sits on", no_runs, draw,
-          "numerics/frontier/default_knees"};
-}
+Figure default_knees() { return {"default-knees", folder.title(), no_runs, draw, folder.path().string()}; }
 
 }  // namespace slfb

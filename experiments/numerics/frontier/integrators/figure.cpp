@@ -5,9 +5,12 @@
 #include <cmath>
 #include <ctime>
 #include <numbers>
+#include <string>
 #include <utility>
+#include <vector>
 
 #include "correlations/materials.hpp"
+#include "experiments/figures/figure_folder.hpp"
 #include "experiments/numerics/figures.hpp"
 #include "reports/gnuplot.hpp"
 #include "solver/dem/contact_reference.hpp"
@@ -16,6 +19,8 @@
 
 namespace slfb {
 namespace {
+
+const FigureFolder folder{"numerics/frontier/integrators"};
 
 /// The linear law has no scale of its own. So slow an impact keeps the overlap, 5e-7 radii, from shortening the lever
 /// arm of the friction, which the reference takes as the radius.
@@ -152,19 +157,14 @@ Outcome strike(const Impact& impact, const Method& method, int steps, const dem:
 FigureOutput draw(const FigureContext& context) {
   FigureOutput output{"frontier-integrators",
                       {},
-                      "",
+                      folder.caption(),
                       {"CPU times are measured anew at each drawing, beside whatever else the machine does."}};
-  output.caption =
-      "Error against cost of the integrators of the particles' motion; 5 mm glass on a plane wall, 1e4 N/m. Left: a "
-      "sphere swings about its rest for some periods and never loses contact; the exact solution is a cosine. Others: "
-      "impacts, the truth being the trajectory by CVODE with event detection. Points: root mean square over 256 cases "
-      "that begin and end at different parts of a step, from 5 to 1600 steps per contact. Grey: first and second "
-      "order. The dotted line marks the 5.4 steps per contact of the paper's 5 mm glass. Above, the cost that no "
-      "machine changes; below, the CPU time of this machine.";
   const double mass = density * dem::Particles::volume_of(radius);
-  std::string upper, lower;
-  const auto add_column = [&](const std::string& name, const std::string& title, auto outcome_of) {
-    std::array<std::string, 2> plots;
+  std::vector<std::string> names, titles, method_titles;
+  for (const Method& method : methods) method_titles.emplace_back(method.name);
+  const auto add_case = [&](const std::string& name, const std::string& title, auto outcome_of) {
+    names.push_back(name);
+    titles.push_back(title);
     for (std::size_t m = 0; m < methods.size(); ++m) {
       DataTable table{fmt::format("frontier-integrators_{}_{}", name, m),
                       {"force evaluations per contact [-]", "root mean square of the relative error [-]", "largest [-]",
@@ -176,42 +176,28 @@ FigureOutput draw(const FigureContext& context) {
             {static_cast<double>(steps), outcome.mean_square_root, outcome.largest, outcome.cpu_nanoseconds});
       }
       output.data.push_back(write_csv(table, context.out));
-      for (std::size_t row = 0; row < 2; ++row)
-        plots[row] += fmt::format("{}'{}.csv' skip 1 using {}:2 with linespoints linestyle {} pointsize {} title '{}'",
-                                  m == 0 ? "" : ", ", table.name, row == 0 ? 1 : 4, m + 2,
-                                  1.15 - 0.25 * static_cast<double>(m), methods[m].name);
     }
-    const bool first = upper.empty();
-    upper += fmt::format(
-        "set title '{}'\nplot {}, 0.5/x with lines linestyle 20 notitle, "
-        "0.5/x**2 with lines linestyle 20 notitle\nunset key\nunset ylabel\n",
-        title, plots[0]);
-    lower += fmt::format("{}plot {}\nunset ylabel\n", first ? "set ylabel 'relative error [-]'\n" : "", plots[1]);
   };
-  add_column("swing", "in lasting contact", [](const Method& method, int steps) { return swing(method, steps); });
+  add_case("swing", "in lasting contact", [](const Method& method, int steps) { return swing(method, steps); });
   for (const Impact& impact : impacts) {
     const double contact_time =
         dem::LinearSpringDashpot::contact_time(contact_of(impact).stiffness, impact.restitution, mass);
     const auto truth = reference(impact, mass, 1.5 * contact_time);
-    add_column(impact.name, impact.title,
-               [&](const Method& method, int steps) { return strike(impact, method, steps, truth, contact_time); });
+    add_case(impact.name, impact.title,
+             [&](const Method& method, int steps) { return strike(impact, method, steps, truth, contact_time); });
   }
-  const std::string commands =
-      "set multiplot layout 2,4 margins 0.06,0.985,0.11,0.93 spacing 0.045,0.15\n"
-      "set logscale xy\nset format '10^{%L}'\nset yrange [1e-9:1]\nset ytics 1e2\nset key bottom left reverse Left "
-      "samplen 1 font ',11'\nset xlabel 'force evaluations per contact'\nset xrange [4:5000]\n"
-      "set arrow 1 from 5.4, graph 0 to 5.4, graph 1 nohead linestyle 20\nset ylabel 'relative error [-]'\n" +
-      upper + "unset title\nunset arrow 1\nset xlabel 'CPU time per sphere and contact [ns]'\nset xrange [*:*]\n" +
-      lower + "unset multiplot\n";
-  draw_figure("frontier-integrators", commands, {1240, 640}, context.out);
+  PlotValues values;
+  values.markups("cases", names);
+  values.markups("case_title", titles);
+  values.texts("methods", method_titles);
+  draw_plot("frontier-integrators", folder.plot(), values, {1240, 640}, context.out);
   return output;
 }
 
 }  // namespace
 
 Figure frontier_integrators() {
-  return {"frontier-integrators", "Speed against accuracy: integrators of the particles' motion", no_runs, draw,
-          "numerics/frontier/integrators"};
+  return {"frontier-integrators", folder.title(), no_runs, draw, folder.path().string()};
 }
 
 }  // namespace slfb

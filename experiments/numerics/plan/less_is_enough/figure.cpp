@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "experiments/figures/drawn_table.hpp"
+#include "experiments/figures/figure_folder.hpp"
 #include "experiments/numerics/figures.hpp"
 #include "experiments/numerics/frontier/solved_study.hpp"
 #include "experiments/numerics/plan/plan.hpp"
@@ -15,6 +16,8 @@ namespace {
 using frontier::percent;
 using frontier::ReducedPoint;
 using frontier::SolvedStudy;
+
+const FigureFolder folder{"numerics/plan/less_is_enough"};
 
 FigureOutput draw(const FigureContext& context) {
   const auto file = source_folder() / "experiments/numerics/plan/less_is_enough/examples.toml";
@@ -52,25 +55,18 @@ FigureOutput draw(const FigureContext& context) {
     data.rows.push_back({static_cast<double>(rows.size()), error->value, error->half_width, band, point->cpu_seconds});
   }
   table.reject_others();
-  return draw_table(
-      "less-is-enough",
-      "Cheap answers beside their bands (`experiments/numerics/plan/rules.toml`): errors and costs are those of the "
-      "studies of `slfb frontier`, the cost per simulated second, or per answer where nothing is simulated. "
-      "Enough: error and interval lie inside the band; not enough: both beyond it.",
-      {{"\nasked", 14, true},
-       {"\nanswered by", 250, true},
-       {"\nerror", 720, false, "ours"},
-       {"\nband", 790},
-       {"\nCPU", 890},
-       {"\n", 910, true}},
-      rows, data, notes, 1090, context.out);
+  return draw_table("less-is-enough", folder.caption(),
+                    {{"\nasked", 14, true},
+                     {"\nanswered by", 250, true},
+                     {"\nerror", 720, false, "ours"},
+                     {"\nband", 790},
+                     {"\nCPU", 890},
+                     {"\n", 910, true}},
+                    rows, data, notes, 1090, context.out);
 }
 
 }  // namespace
 
-Figure less_is_enough() {
-  return {"less-is-enough", "Where less model is enough, and where it is not", no_runs, draw,
-          "numerics/plan/less_is_enough"};
-}
+Figure less_is_enough() { return {"less-is-enough", folder.title(), no_runs, draw, folder.path().string()}; }
 
 }  // namespace slfb

@@ -16,6 +16,7 @@
 #include "solver/laws/user_law.hpp"
 #include "solver/run/one_particle.hpp"
 #include "solver/run/simulation.hpp"
+#include "solver/support/processor.hpp"
 
 namespace slfb::studies {
 namespace {

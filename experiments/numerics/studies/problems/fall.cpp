@@ -9,6 +9,7 @@
 #include "solver/laws/make_engine.hpp"
 #include "solver/laws/user_law.hpp"
 #include "solver/run/one_particle.hpp"
+#include "solver/support/processor.hpp"
 
 namespace slfb::studies {
 namespace {

@@ -1,6 +1,7 @@
 #include "correlations/fluidisation/bed_expansion.hpp"
 #include "experiments/numerics/studies/problems/problem_list.hpp"
 #include "solver/laws/user_law.hpp"
+#include "solver/support/processor.hpp"
 
 namespace slfb::studies {
 namespace {

@@ -10,6 +10,7 @@
 #include "solver/dem/engine.hpp"
 #include "solver/dem/walls.hpp"
 #include "solver/laws/make_engine.hpp"
+#include "solver/support/processor.hpp"
 
 namespace slfb::studies {
 namespace {

@@ -4,6 +4,7 @@
 #include "correlations/materials.hpp"
 #include "experiments/numerics/studies/coupled_bed.hpp"
 #include "experiments/numerics/studies/problems/problem_list.hpp"
+#include "solver/support/processor.hpp"
 
 namespace slfb::studies {
 namespace {

@@ -10,6 +10,7 @@
 #include "solver/fluid/three_dimensional_liquid.hpp"
 #include "solver/laws/make_engine.hpp"
 #include "solver/laws/user_law.hpp"
+#include "solver/support/processor.hpp"
 
 namespace slfb::studies {
 namespace {

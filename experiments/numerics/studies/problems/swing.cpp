@@ -6,6 +6,7 @@
 #include "experiments/numerics/studies/problems/problem_list.hpp"
 #include "solver/dem/engine.hpp"
 #include "solver/laws/make_engine.hpp"
+#include "solver/support/processor.hpp"
 
 namespace slfb::studies {
 namespace {

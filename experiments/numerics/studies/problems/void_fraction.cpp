@@ -8,6 +8,7 @@
 #include "experiments/numerics/studies/hard_spheres.hpp"
 #include "experiments/numerics/studies/problems/problem_list.hpp"
 #include "experiments/numerics/studies/scheme_study.hpp"
+#include "solver/support/processor.hpp"
 
 namespace slfb::studies {
 namespace {

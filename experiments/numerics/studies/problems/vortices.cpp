@@ -4,6 +4,7 @@
 
 #include "experiments/numerics/studies/problems/problem_list.hpp"
 #include "solver/fluid/three_dimensional_liquid.hpp"
+#include "solver/support/processor.hpp"
 
 namespace slfb::studies {
 namespace {
