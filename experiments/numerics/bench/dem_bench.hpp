@@ -23,24 +23,27 @@ struct DemScene {
 /// A: settled in a narrow cylinder; B: the same, smaller spheres; C: an elastic gas; D: settled in a wide box.
 const std::vector<DemScene>& dem_scenes();
 
-/// An engine with the scene's spheres, settled or melted. The state is computed once and kept in `cache`; `say` is told
-/// what is done meanwhile.
+/// An engine with the scene's spheres, settled or melted. The state is computed once and kept in the folder `cache`;
+/// `say` is called with a message before that. Throws std::runtime_error when the file cannot be read or written.
 dem::Engine prepare(const DemScene& scene, int threads, const std::filesystem::path& cache,
                     const std::function<void(const std::string&)>& say);
 
 struct DemTiming {
   DemScene scene;
   int threads;
-  std::vector<double> rates;  ///< particle-steps per second, one per repetition
-  double contacts_per_particle, pairs_per_particle, list_builds_per_step;
+  std::vector<double> rates;                         ///< particle-steps per second, one per repetition
+  double contacts_per_particle, pairs_per_particle;  ///< touching; in the neighbour list [-]
+  double list_builds_per_step;                       ///< how often the neighbour list is built anew [-]
   [[nodiscard]] double median_rate() const;
   /// Wall time of a contact of two spheres if contacts were all there is [ns].
   [[nodiscard]] double nanoseconds_per_contact() const;
 };
 
+/// Times `repetitions` times `steps` steps of the engine, after the scene's warm-up.
 DemTiming time_dem(const DemScene& scene, dem::Engine& engine, int repetitions, std::int64_t steps);
 
-/// The state as a data file of LAMMPS or LIGGGHTS (atom_style sphere).
+/// Writes the state as a data file of LAMMPS or LIGGGHTS (atom_style sphere, SI units). Throws std::system_error when
+/// the file cannot be written.
 void write_lammps(const DemScene& scene, const dem::Engine& engine, const std::filesystem::path& file);
 
 }  // namespace slfb::bench

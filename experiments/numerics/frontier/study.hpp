@@ -32,7 +32,9 @@ struct Study {
   std::string default_series, default_text;  ///< empty: the study backs no default
 };
 
-/// \throws std::runtime_error with file, line and key; std::invalid_argument, SceneError for settings
+/// Reads a study and checks the scene of each of its points.
+/// \throws std::runtime_error with file, line and key, or with the setting that is wrong; std::invalid_argument for an
+/// unknown problem or quantity
 Study load_study(const std::filesystem::path& file, studies::Set set);
 /// Files of all studies, by name.
 std::vector<std::filesystem::path> study_files();
@@ -40,20 +42,22 @@ std::filesystem::path study_file(const std::string& id);
 
 /// One quantity at one point, replicates taken together.
 struct PointValue {
-  double value, half_width;        ///< mean and 95 % interval; NaN for a single replicate
+  double value, half_width;        ///< mean and 95 % interval, NaN for a single replicate; in the problem's unit
   double error, error_half_width;  ///< relative to the reference [-]
 };
 
+/// What is known of one point of a study.
 struct ReducedPoint {
   std::string series;
   double axis = 0.0;
-  double cpu_seconds = 0.0;              ///< per unit of the problem's cost
+  double cpu_seconds = 0.0;              ///< per unit of the problem's cost [s]
   std::map<std::string, double> counts;  ///< per that unit
   int replicates = 0;
   std::map<std::string, PointValue> values;
   std::string failure;  ///< of a replicate; empty when all have answered
 };
 
+/// What is known of a study.
 struct ReducedStudy : studies::SolvedSet {
   std::vector<ReducedPoint> points;
   /// Of the reference: value, half_width, and in error_half_width the half width over the value.
@@ -70,10 +74,11 @@ ReducedStudy load_reduced(const Study& study, const std::filesystem::path& out);
 ReducedStudy load_beside(const Study& study, const std::filesystem::path& out);
 /// The committed set alone; empty points where there is none.
 ReducedStudy load_committed(const std::string& id);
+/// Throws std::runtime_error that names the file if it cannot be written.
 void save_reduced(const ReducedStudy& reduced, const std::filesystem::path& file);
-/// Place of the committed result.
+/// The committed result.
 std::filesystem::path committed_file(const std::string& id);
-/// Place of this machine's.
+/// This machine's.
 std::filesystem::path reduced_file(const std::filesystem::path& out, const std::string& id);
 
 /// Points that no other of the successful ones beats in both cost and error, by rising cost.

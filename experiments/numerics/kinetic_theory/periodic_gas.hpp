@@ -9,7 +9,10 @@ struct MeasuredFrequency {
   double energy_change;     ///< largest, over the energy at the start [-]
 };
 
-/// Elastic smooth spheres in a periodic cube, side³ of them, over the given number of collisions of each.
+/// Elastic smooth spheres in a periodic cube, counted over a number of collisions of each.
+/// \param solids fraction of the cube in spheres, 0.05 to 0.5 [-]
+/// \param side side³ spheres
+/// \param collisions of each sphere, in the mean
 ///
 /// Soft spheres overlap by √(π/2) √(mΘ/k) in the mean (Barker & Henderson 1967), which is t_c f/(24 α_S g_0) diameters:
 /// at t_c f = 0.004 this lowers the frequency by less than 0.2 % at any α_S here. A lattice at random velocities melts

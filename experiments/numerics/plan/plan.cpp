@@ -2,25 +2,19 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-#include <gsl/gsl_cdf.h>
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <set>
-#include <sstream>
 #include <stdexcept>
 
 #include "correlations/fluidisation/bed_expansion.hpp"
 #include "correlations/materials.hpp"
-#include "experiments/numerics/frontier/study.hpp"
 #include "experiments/runs/run_estimate.hpp"
 #include "solver/dem/particles.hpp"
-#include "solver/fluid/column_grid.hpp"
 #include "solver/laws/user_law.hpp"
 #include "solver/run/one_particle.hpp"
-#include "solver/support/folders.hpp"
-#include "solver/support/toml_table.hpp"
 
 namespace slfb::plan {
 namespace {
@@ -59,69 +53,6 @@ double rounded_down(double value) {
   for (const double digit : {5.0, 2.0, 1.0})
     if (digit * decade <= value * (1.0 + 1e-9)) return digit * decade;
   return decade;
-}
-
-Rule::Condition condition_of(TomlTable& table, const std::string& text) {
-  std::istringstream words(text);
-  std::string number, comparison;
-  double value = 0.0;
-  if (!(words >> number >> comparison >> value) || (comparison != "<" && comparison != ">"))
-    throw table.problem("when", fmt::format("\"{}\" must read NUMBER > VALUE or NUMBER < VALUE", text));
-  return {number, comparison == ">", value};
-}
-
-/// An error of a study, without what chance adds to it, and the standard error of the deviation behind it [-].
-struct Measured {
-  double error, standard_error;
-};
-
-/// Standard error of a mean of replicates, from its 95 % interval; 0 where there is none.
-double standard_error(double half_width, int replicates) {
-  return replicates > 1 && half_width > 0.0 ? half_width / gsl_cdf_tdist_Pinv(0.975, replicates - 1.0) : 0.0;
-}
-
-/// Adds to `measured`, by quantity, what a point of a committed study is off its reference, or another point of the
-/// study; of several the one that is surest. Chance adds the square of its standard error to the mean square of a
-/// deviation: that is taken off. Returns where the numbers stand.
-std::string add_measured(TomlTable& table, std::map<std::string, Measured>& measured) {
-  const std::string id = table.text("study");
-  const frontier::ReducedStudy solved = frontier::load_committed(id);
-  const auto read_point = [&](TomlTable& place) {
-    const std::string series = place.text("series");
-    const double axis = place.number("axis");
-    for (const frontier::ReducedPoint& point : solved.points)
-      if (point.series == series && std::abs(point.axis - axis) <= 1e-9 * std::abs(axis) && !point.values.empty())
-        return &point;
-    throw place.problem(
-        "axis", fmt::format("the committed set of study \"{}\" has no answer of \"{}\" at {:g}", id, series, axis));
-  };
-  const auto text_of = [](const frontier::ReducedPoint& point) {
-    return fmt::format("{} at {:g}", point.series, point.axis);
-  };
-  const frontier::ReducedPoint& point = *read_point(table);
-  const frontier::ReducedPoint* against = nullptr;
-  if (table.has("against")) {
-    TomlTable other = table.table("against");
-    against = read_point(other);
-    other.reject_others();
-  }
-  table.reject_others();
-  for (const auto& [quantity, value] : point.values) {
-    const auto& others = against == nullptr ? solved.reference : against->values;
-    Measured found{value.error, 0.0};
-    if (const auto other = others.find(quantity); other != others.end()) {
-      const double truth = other->second.value;
-      found.standard_error = std::hypot(standard_error(value.half_width, point.replicates),
-                                        standard_error(other->second.half_width, point.replicates)) /
-                             std::abs(truth);
-      const double deviation = value.value / truth - 1.0;
-      found.error = std::sqrt(std::max(0.0, deviation * deviation - found.standard_error * found.standard_error));
-    }
-    const auto [place, added] = measured.try_emplace(quantity, found);
-    if (!added && found.standard_error < place->second.standard_error) place->second = found;
-  }
-  return fmt::format("frontier {} ({}{}; {} set of {})", id, text_of(point),
-                     against == nullptr ? "" : " against " + text_of(*against), solved.set, solved.date);
 }
 
 bool holds(const Rule& rule, const std::vector<Number>& numbers, const std::vector<std::string>& asked) {
@@ -230,46 +161,6 @@ double core_seconds(const Scene& scene) { return estimate_run(scene).core_second
 constexpr double formula_core_seconds = 1e-3;
 
 }  // namespace
-
-Rules load_rules() {
-  const auto file = source_folder() / "experiments" / "numerics" / "plan" / "rules.toml";
-  const toml::table parsed = parse_toml_file(file);
-  TomlTable table(parsed, file.string());
-  Rules rules;
-  rules.forces = table.texts("forces");
-  const toml::table* bands = parsed["bands"].as_table();
-  if (bands == nullptr) throw table.problem("bands", "is missing");
-  for (const auto& [quantity, band] : *bands) rules.bands[std::string(quantity.str())] = band.value_or(0.0);
-  for (TomlTable& one : table.tables("rule")) {
-    Rule rule;
-    rule.subject = one.text("subject");
-    rule.choice = one.text("choice");
-    rule.why = one.text("why");
-    rule.source = one.text("source");
-    rule.evidence = one.text("evidence", "");
-    rule.richer = one.text("richer", "");
-    for (const std::string& text : one.texts("when")) rule.when.push_back(condition_of(one, text));
-    rule.asked = one.texts("asked");
-    rule.only = one.texts("only");
-    rule.set = one.texts("set");
-    rule.richer_set = one.texts("richer_set");
-    rule.steps_per_contact = one.number("steps_per_contact", 0.0);
-    rule.liquid_steps_per_relaxation = one.number("liquid_steps_per_relaxation", 0.0);
-    if (rule.liquid_steps_per_relaxation > 0.0) rule.longest_liquid_step = one.number("longest_liquid_step");
-    rule.effect = one.numbers_by_name("effect");
-    for (const auto& [quantity, error] : rule.effect)
-      if (!rules.bands.contains(quantity)) throw one.problem("effect", quantity + " has no band");
-    std::map<std::string, Measured> measured;
-    for (TomlTable& point : one.tables("measured"))
-      rule.evidence += (rule.evidence.empty() ? "" : "; ") + add_measured(point, measured);
-    for (const auto& [quantity, found] : measured)
-      if (rules.bands.contains(quantity)) rule.effect.try_emplace(quantity, found.error);
-    if (rule.evidence.empty()) throw one.problem("evidence", "is missing, and so is measured");
-    one.reject_others();
-    rules.list.push_back(std::move(rule));
-  }
-  return rules;
-}
 
 std::vector<Number> numbers_of(const Scene& scene) {
   const Species& sphere = leading_species(scene);
@@ -396,8 +287,8 @@ Plan make_plan(const Scene& scene, const std::vector<std::string>& asked, const 
   }
   for (const auto& [rule, decision] : pending)
     if (rule->steps_per_contact > 0.0) {
-      const double wished = std::numbers::pi * contact_time_step_bound(planned) / rule->steps_per_contact;
-      solid_step = liquid_step / std::ceil(liquid_step / wished);
+      const double wanted = std::numbers::pi * contact_time_step_bound(planned) / rule->steps_per_contact;
+      solid_step = liquid_step / std::ceil(liquid_step / wanted);
       plan.decisions[decision].choice += fmt::format(": {:.3g} s", solid_step);
       plan.decisions[decision].overrides = {fmt::format("contact.time_step={}", solid_step)};
     }

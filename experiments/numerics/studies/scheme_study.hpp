@@ -24,14 +24,16 @@ struct Outcome {
   double nanoseconds;                ///< CPU time per sphere: shares, sums over the cells, smoothing of one field
 };
 
-/// All methods on cubic cells, `across` of them over the assembly.
+/// The methods `candidates` on cubic cells, `across` of them over the assembly.
 /// \param placements of the grid on the assembly, over which errors are taken together
 /// \param timed CPU time to spend on repeating each method, of which the shortest run counts [s]; 0: one run
 std::vector<Outcome> compare(const Assembly& assembly, int across, int placements, double timed,
                              const std::vector<Method>& candidates);
 
-/// Part of a sphere's volume in a cell of this width, by its distance beyond the middle of the cell's face [-]; centred
-/// across.
+/// Part of a sphere's volume in a cell of width `cell`, for each of `distances` of its centre beyond the middle of the
+/// cell's face; the sphere is centred across the face.
+/// \param cell, distances in diameters
+/// \return parts of the volume [-]
 std::vector<double> crossing(const Method& method, double cell, const std::vector<double>& distances);
 
 }  // namespace slfb::void_fraction_study

@@ -70,7 +70,8 @@ struct Trial {
   [[nodiscard]] std::string hash() const;
 };
 
-/// Solves the problem. A method that breaks down is an answer: its reason is kept in `failure`.
+/// Solves the problem on the calling thread. A method that breaks down (std::runtime_error) is an answer: its reason is
+/// kept in `failure`. Throws SceneError or std::invalid_argument for wrong settings.
 TrialResult solve(const Trial& trial);
 
 /// `text` with every {} replaced by a number: the settings of an axis.

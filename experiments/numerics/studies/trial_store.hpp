@@ -16,7 +16,9 @@ class TrialStore {
  public:
   explicit TrialStore(std::filesystem::path folder) : folder_(std::move(folder)) {}
 
+  /// Empty where the trial was not solved, or its file is broken.
   [[nodiscard]] std::optional<TrialResult> find(const Trial& trial) const;
+  /// Throws std::runtime_error that names the file if it cannot be written.
   void keep(const Trial& trial, const TrialResult& result) const;
 
  private:
@@ -26,11 +28,12 @@ class TrialStore {
 
 struct SolveOptions {
   int jobs = 1;  ///< trials side by side, one thread each
+  /// Called after each trial, by one thread at a time.
   std::function<void(std::size_t done, std::size_t all, const Trial&, const TrialResult&)> solved;
 };
 
 /// Solves those trials that the store lacks. Returns false when a signal (Ctrl-C) stopped it before the end; trials
-/// that are under way are finished first.
+/// that are under way are finished first. Throws what solve and TrialStore::keep throw, once all threads have ended.
 bool solve_missing(const std::vector<Trial>& trials, const TrialStore& store, const SolveOptions& options);
 
 }  // namespace slfb::studies

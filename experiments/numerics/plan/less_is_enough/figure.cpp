@@ -48,7 +48,7 @@ FigureOutput draw(const FigureContext& context) {
     }
     const char* verdict = error->value + error->half_width <= band            ? "enough"
                           : error->value - error->half_width > band           ? "not enough"
-                          : error->value <= band && error->half_width <= band ? "enough, as far as told"
+                          : error->value <= band && error->half_width <= band ? "enough, not significant"
                                                                               : "not decided";
     rows.push_back({title, with, percent(error), fmt::format("{:.2g} %", 100.0 * band),
                     fmt::format("{:.2g} s", point->cpu_seconds), verdict});
