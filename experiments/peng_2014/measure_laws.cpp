@@ -28,7 +28,7 @@
 #include "experiments/peng_2014/paper_conditions.hpp"
 #include "experiments/peng_2014/probes.hpp"
 #include "experiments/runs/measure.hpp"
-#include "solver/coupling/void_fraction.hpp"
+#include "solver/coupling/void_fraction/particle_meshing.hpp"
 
 namespace slfb {
 namespace {
@@ -41,7 +41,7 @@ using ClassificationLaws =
 /// Largest error of the volume of a unit sphere on one side of a plane, when it is counted in pieces whose centroids
 /// lie there; planes normal to x, y and z at all distances from the centre.
 double particle_meshing_error(int count) {
-  const auto pieces = coupling::VolumeShares::meshing_template(count);
+  const auto pieces = coupling::meshing_template(count);
   double largest = 0.0;
   for (std::size_t axis = 0; axis < 3; ++axis) {
     for (int step = -99; step <= 99; ++step) {

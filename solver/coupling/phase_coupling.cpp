@@ -4,162 +4,63 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "correlations/materials.hpp"
 #include "solver/support/stopwatch.hpp"
 
 namespace slfb::coupling {
-namespace {
-
-double largest_radius(const Scene& scene) {
-  double radius = 0.0;
-  for (const Species& species : scene.species) radius = std::max(radius, 0.5 * species.diameter);
-  return radius;
-}
-
-}  // namespace
 
 PhaseCoupling::PhaseCoupling(const Scene& scene, fluid::Liquid& liquid, const drag::DragLawKernels& drag_law)
     : scene_(scene),
       liquid_(liquid),
       law_(drag_law.drag),
-      shares_(liquid.two_way() ? scene.coupling.void_fraction : VoidFractionScheme::centroid,
-              scene.coupling.meshing_pieces, liquid.grid(),
-              liquid.two_way() ? largest_radius(scene) : std::numeric_limits<double>::infinity()),
-      smoothing_(liquid.grid(), liquid.two_way() ? scene.coupling.smoothing_length : 0.0),
+      volumes_(scene, liquid),
       point_values_(liquid.grid(), scene.coupling.interpolation, scene.fluid.wall == LateralBoundary::no_slip),
-      further_(scene, scene.fluid.time_step),
+      beyond_drag_(scene, scene.fluid.time_step),
       at_centres_(liquid.two_way() && scene.coupling.interpolation != Interpolation::shares),
-      corrects_disturbance_(liquid.two_way() && further_.corrects_disturbance()),
+      corrects_disturbance_(liquid.two_way() && beyond_drag_.corrects_disturbance()),
       implicit_(liquid.two_way() && scene.coupling.exchange == MomentumExchange::implicit) {}
 
 void PhaseCoupling::resize(std::size_t n) {
   for (auto* field : {&volume_, &voidage_, &reynolds_, &coefficient_, &damped_coefficient_, &next_coefficient_,
-                      &further_coefficient_, &stressed_volume_})
+                      &beyond_coefficient_, &stressed_volume_})
     field->resize(n);
-  for (auto* fields : {&velocity_correction_, &liquid_velocity_, &drag_, &free_velocity_, &momentum_, &further_force_,
-                       &further_reaction_})
+  for (auto* fields : {&velocity_correction_, &liquid_velocity_, &drag_, &free_velocity_, &momentum_, &beyond_force_,
+                       &beyond_reaction_})
     for (auto& field : *fields) field.resize(n, 0.0);
 }
 
-void PhaseCoupling::sphere_added() {
-  liquid_before_.clear();
-  interval_step_ = interval_steps_;
-}
-
 void PhaseCoupling::sphere_removed(std::size_t i) {
-  sphere_added();
-  further_.remove(i);
-}
-
-int PhaseCoupling::steps_per_interval() const {
-  return static_cast<int>(std::max(1L, std::lround(scene_.coupling.void_fraction_interval / scene_.fluid.time_step)));
+  volumes_.start_anew();
+  beyond_drag_.remove(i);
 }
 
 NamedFields PhaseCoupling::state() const {
-  NamedFields state{{"liquid_volume", liquid_before_}};
-  add_part(state, "forces_beyond_drag", further_.state());
-  if (interval_centres_.x.empty() || interval_step_ >= interval_steps_) return state;
-  state["interval/steps"] = {static_cast<double>(interval_steps_), static_cast<double>(interval_step_)};
-  state["interval/liquid_at_start"] = interval_start_;
-  state["interval/liquid_at_end"] = interval_end_;
-  state["interval/centre_x"] = interval_centres_.x;
-  state["interval/centre_y"] = interval_centres_.y;
-  state["interval/centre_z"] = interval_centres_.z;
+  NamedFields state = volumes_.state();
+  add_part(state, "forces_beyond_drag", beyond_drag_.state());
   return state;
 }
 
 void PhaseCoupling::restore(const NamedFields& state, const dem::Particles& particles) {
-  liquid_before_ = field_of(state, "liquid_volume");
-  further_.restore(part_of(state, "forces_beyond_drag"));
+  volumes_.restore(state, particles.radius);
+  beyond_drag_.restore(part_of(state, "forces_beyond_drag"));
   cells_valid_ = velocity_is_gathered_ = false;
-  if (!state.contains("interval/steps")) return;
-  const auto& steps = field_of(state, "interval/steps");
-  interval_steps_ = static_cast<int>(steps.at(0));
-  interval_step_ = static_cast<int>(steps.at(1));
-  interval_start_ = field_of(state, "interval/liquid_at_start");
-  interval_end_ = field_of(state, "interval/liquid_at_end");
-  interval_centres_ = {field_of(state, "interval/centre_x"), field_of(state, "interval/centre_y"),
-                       field_of(state, "interval/centre_z")};
-  shares_.update(interval_centres_, particles.radius, 1);
 }
 
-/// The liquid at the end of an interval, from where the spheres will then be; after a sphere has been put in or taken
-/// out an interval of a single step, which displaces nothing.
-void PhaseCoupling::start_interval(const dem::Engine& engine, double time_step) {
-  const dem::Particles& particles = engine.particles;
-  const fluid::ColumnGrid& grid = liquid_.grid();
-  velocity_is_gathered_ = false;
-  interval_step_ = 0;
-  interval_steps_ = liquid_before_.empty() ? 1 : steps_per_interval();
-  if (steps_per_interval() == 1) {
-    shares_.update(particles, engine.threads());
-  } else {
-    const double ahead = (interval_steps_ - 1) * time_step;
-    interval_centres_ = particles.position;
-    for (std::size_t i = 0; i < particles.size(); ++i) {
-      interval_centres_.x[i] += ahead * particles.velocity.x[i];
-      interval_centres_.y[i] += ahead * particles.velocity.y[i];
-      interval_centres_.z[i] += ahead * particles.velocity.z[i];
-    }
-    shares_.update(interval_centres_, particles.radius, engine.threads());
-  }
-  shares_.scatter<1>({&volume_}, {&solid_}, engine.threads());
-  smoothing_.scatter(solid_, engine.threads());
-  interval_end_.resize(grid.size());
-  const auto layers = static_cast<std::size_t>(grid.layers());
-#pragma omp parallel for num_threads(engine.threads()) schedule(static)
-  for (int s = 0; s < grid.cells(); ++s) {
-    const std::size_t start = static_cast<std::size_t>(s) * layers;
-    const double volume = grid.volume(s), *solid = &solid_[start];
-    double* liquid = &interval_end_[start];
-#pragma omp simd
-    for (std::size_t k = 0; k < layers; ++k) liquid[k] = volume - solid[k];
-  }
-  if (interval_steps_ > 1) interval_start_ = liquid_before_;
-}
-
+/// Shares and void fraction at the end of the step (Eq. 29).
 void PhaseCoupling::update_void_fraction(const dem::Engine& engine, double time_step) {
   const Stopwatch stopwatch(void_fraction_seconds_);
-  const fluid::ColumnGrid& grid = liquid_.grid();
-  if (!liquid_.two_way()) {  // every sphere is alone in it
-    velocity_is_gathered_ = false;
-    shares_.update(engine.particles, engine.threads());
-    for (CellValues& cell : cells_) cell.value[CellValues::voidage] = 1.0;
-    return;
-  }
-  if (interval_step_ >= interval_steps_ || interval_end_.empty()) start_interval(engine, time_step);
-  ++interval_step_;
-  const double done = static_cast<double>(interval_step_) / interval_steps_;
-  liquid_now_.resize(grid.size());
-  cell_scratch_.resize(grid.size());
-  const auto layers = static_cast<std::size_t>(grid.layers());
+  if (volumes_.start_step(engine, time_step, volume_)) velocity_is_gathered_ = false;
+  const std::vector<double>& voidage = volumes_.voidage();
 #pragma omp parallel for num_threads(engine.threads()) schedule(static)
-  for (int s = 0; s < grid.cells(); ++s) {
-    const std::size_t start = static_cast<std::size_t>(s) * layers;
-    const double volume = grid.volume(s), *end = &interval_end_[start];
-    double *liquid = &liquid_now_[start], *voidage = &cell_scratch_[start];
-    std::copy_n(end, layers, liquid);
-    if (interval_step_ < interval_steps_)
-      for (std::size_t k = 0; k < layers; ++k) {
-        const double before = interval_start_[start + k];
-        liquid[k] = before + done * (end[k] - before);
-      }
-#pragma omp simd
-    for (std::size_t k = 0; k < layers; ++k) voidage[k] = liquid[k] / volume;
-  }
-  smoothing_.gather(cell_scratch_, engine.threads());
-#pragma omp parallel for num_threads(engine.threads()) schedule(static)
-  for (std::size_t c = 0; c < grid.size(); ++c) cells_[c].value[CellValues::voidage] = cell_scratch_[c];
-  if (liquid_before_.empty()) liquid_before_ = liquid_now_;
+  for (std::size_t c = 0; c < cells_.size(); ++c) cells_[c].value[CellValues::voidage] = voidage[c];
 }
 
 /// Velocity and stress of the liquid, cell by cell.
 void PhaseCoupling::read_liquid(int threads) {
   liquid_.gather(cell_velocity_, cell_stress_);
   for (auto* fields : {&cell_velocity_, &cell_stress_})
-    for (auto& field : *fields) smoothing_.gather(field, threads);
+    for (auto& field : *fields) volumes_.smoothing().gather(field, threads);
 #pragma omp parallel for num_threads(threads) schedule(static)
   for (std::size_t c = 0; c < cells_.size(); ++c)
     for (std::size_t a = 0; a < 3; ++a) {
@@ -169,13 +70,25 @@ void PhaseCoupling::read_liquid(int threads) {
   cells_valid_ = true;
 }
 
-/// Voidage, slip and Reynolds number (Eq. 25), the drag's coefficient, and K' and v' of Eq. 35. The contacts of the
-/// last interval are among the other forces: in a bed at rest the drag is then exactly K u.
+/// Σ_c φ_ic of what the cells hold (Eq. 29).
+inline std::array<double, 8> PhaseCoupling::mean_by_shares(std::size_t i) const {
+  const VolumeShares& shares = volumes_.shares();
+  const std::uint32_t* cell = shares.cells(i);
+  const double* share = shares.shares(i);
+  const int count = shares.count(i);
+  std::array<double, 8> mean{};
+  for (int m = 0; m < count; ++m)
+    for (std::size_t f = 0; f < 8; ++f) mean[f] += share[m] * cells_[cell[m]].value[f];
+  return mean;
+}
+
+/// Voidage, slip and Reynolds number, the drag's coefficient K, and K' and v' of Eq. 35. The contacts of the last step
+/// are among the other forces: in a bed at rest the drag is then exactly K u.
 void PhaseCoupling::read_at_spheres(const dem::Engine& engine, double time_step) {
   const dem::Particles& particles = engine.particles;
   const double density = scene_.liquid.density, viscosity = scene_.liquid.viscosity;
-  const bool explicit_exchange = scene_.coupling.exchange == MomentumExchange::explicit_in_time;
-  const bool corrected = slip_is_corrected(), further = further_.any();
+  const bool explicit_exchange = drag_is_explicit();
+  const bool corrected = slip_is_corrected(), beyond_drag = beyond_drag_.any();
   // Within an interval of the void fraction the end of the last step has read the same velocities by the same shares.
   const bool gathered = velocity_is_gathered_ && !corrected;
   const auto n = static_cast<std::int64_t>(particles.size());
@@ -186,18 +99,16 @@ void PhaseCoupling::read_at_spheres(const dem::Engine& engine, double time_step)
     std::array<std::array<double, 8>, block> values;
     for (std::size_t i = begin; i < end; ++i) {
       std::array<double, 8>& value = values[i - begin];
-      value = {};
       if (gathered) {
-        value[CellValues::voidage] = shares_.gather(i, cell_scratch_);
+        value = {};
+        value[CellValues::voidage] = volumes_.shares().gather(i, volumes_.voidage());
         for (std::size_t a = 0; a < 3; ++a) value[CellValues::velocity_x + a] = liquid_velocity_[a][i];
       } else {
-        const std::uint32_t* cell = shares_.cells(i);
-        const double* share = shares_.shares(i);
-        for (int m = 0; m < shares_.count(i); ++m)
-          for (std::size_t f = 0; f < 8; ++f) value[f] += share[m] * cells_[cell[m]].value[f];
+        value = mean_by_shares(i);
       }
       std::array<double, 3> u{value[CellValues::velocity_x], value[CellValues::velocity_y],
                               value[CellValues::velocity_z]};
+      // Equations (30), (31), or trilinear
       if (at_centres_) {
         const auto at_centre = point_values_.at(particles.position.at(i), cells_);
         value[CellValues::voidage] = at_centre[0];
@@ -207,7 +118,7 @@ void PhaseCoupling::read_at_spheres(const dem::Engine& engine, double time_step)
         }
       }
       if (corrects_disturbance_) {
-        const Vec3 own = further_.self_induced(i);
+        const Vec3 own = beyond_drag_.self_induced(i);
         const std::array<double, 3> induced{own.x, own.y, own.z};
         for (std::size_t a = 0; a < 3; ++a) {
           u[a] -= induced[a];
@@ -218,6 +129,7 @@ void PhaseCoupling::read_at_spheres(const dem::Engine& engine, double time_step)
       const double x = u[0] - particles.velocity.x[i], y = u[1] - particles.velocity.y[i],
                    z = u[2] - particles.velocity.z[i];
       voidage_[i] = value[CellValues::voidage];
+      // Equation (25)
       reynolds_[i] = density * 2.0 * particles.radius[i] * voidage_[i] * std::sqrt(x * x + y * y + z * z) / viscosity;
     }
     const std::size_t count = end - begin;
@@ -226,16 +138,18 @@ void PhaseCoupling::read_at_spheres(const dem::Engine& engine, double time_step)
     for (std::size_t i = begin; i < end; ++i) {
       const std::array<double, 8>& value = values[i - begin];
       const double volume = volume_[i], per_inertia = time_step / particles.inertial_mass(i);
+      // Equations (22), (23): K = V β/(1 − α)
       coefficient_[i] =
           volume * drag::exchange_per_solid_volume(coefficient_[i], voidage_[i], 2.0 * particles.radius[i], viscosity);
-      if (further) coefficient_[i] += further_coefficient_[i];
+      if (beyond_drag) coefficient_[i] += beyond_coefficient_[i];
       const auto solid = engine.mean_solid_force(i);
       const std::array<double, 3> v = particles.velocity.at(i);
       const double buoyant_weight = -gravitational_acceleration * (particles.mass[i] - density * volume);
+      // Equation (35): K' = K/(1 + K Δt/m), and v' without the liquid's stress
       damped_coefficient_[i] = coefficient_[i] / (1.0 + coefficient_[i] * per_inertia);
       for (std::size_t a = 0; a < 3; ++a) {
         double other = solid[a] + (a == 2 ? buoyant_weight : 0.0);
-        if (further) other += further_force_[a][i];
+        if (beyond_drag) other += beyond_force_[a][i];
         free_velocity_[a][i] = v[a] + per_inertia * other;
         if (explicit_exchange)  // the force itself, as momentum that the liquid gains
           drag_[a][i] = coefficient_[i] *
@@ -249,7 +163,7 @@ void PhaseCoupling::read_at_spheres(const dem::Engine& engine, double time_step)
 /// step it would be returned amplified by up to (1 − α)/α, and grow without bound where the drag is stiff.
 void PhaseCoupling::give_to_liquid(const dem::Engine& engine, double time_step) {
   if (!liquid_.two_way()) return;
-  const bool explicit_exchange = scene_.coupling.exchange == MomentumExchange::explicit_in_time;
+  const bool explicit_exchange = drag_is_explicit();
   const bool corrected = slip_is_corrected();
   const auto n = static_cast<std::int64_t>(coefficient_.size());
 #pragma omp parallel for num_threads(engine.threads()) schedule(static)
@@ -261,13 +175,14 @@ void PhaseCoupling::give_to_liquid(const dem::Engine& engine, double time_step) 
       const double correction = corrected ? velocity_correction_[a][i] : 0.0;
       momentum_[a][i] = explicit_exchange ? -drag_[a][i] : damped_coefficient_[i] * (free_velocity_[a][i] - correction);
     }
-    if (further_.any())
-      for (std::size_t a = 0; a < 3; ++a) momentum_[a][i] += further_reaction_[a][i];
+    if (beyond_drag_.any())
+      for (std::size_t a = 0; a < 3; ++a) momentum_[a][i] += beyond_reaction_[a][i];
   }
-  shares_.scatter<5>({&damped_coefficient_, &momentum_[0], &momentum_[1], &momentum_[2], &stressed_volume_},
-                     {&scattered_[0], &scattered_[1], &scattered_[2], &scattered_[3], &scattered_[4]},
-                     engine.threads());
-  for (auto& field : scattered_) smoothing_.scatter(field, engine.threads());
+  // Equations (28), (29)
+  const VolumeShares& shares = volumes_.shares();
+  shares.scatter<5>({&damped_coefficient_, &momentum_[0], &momentum_[1], &momentum_[2], &stressed_volume_},
+                    {&scattered_[0], &scattered_[1], &scattered_[2], &scattered_[3], &scattered_[4]}, engine.threads());
+  for (auto& field : scattered_) volumes_.smoothing().scatter(field, engine.threads());
   liquid_.scatter(scattered_, exchange_);
 }
 
@@ -276,30 +191,28 @@ void PhaseCoupling::give_to_spheres(dem::Engine& engine, double time_step) {
   const dem::Particles& particles = engine.particles;
   const std::array<std::vector<double>*, 3> external{&engine.external_force.x, &engine.external_force.y,
                                                      &engine.external_force.z};
-  const bool explicit_exchange = scene_.coupling.exchange == MomentumExchange::explicit_in_time;
+  const bool explicit_exchange = drag_is_explicit();
   const bool corrected = slip_is_corrected();
   const auto n = static_cast<std::int64_t>(particles.size());
 #pragma omp parallel for num_threads(engine.threads()) schedule(static)
   for (std::int64_t k = 0; k < n; ++k) {
     const auto i = static_cast<std::size_t>(k);
-    std::array<double, 8> value{};
-    const std::uint32_t* cell = shares_.cells(i);
-    const double* share = shares_.shares(i);
-    for (int m = 0; m < shares_.count(i); ++m)
-      for (std::size_t f = 0; f < 8; ++f) value[f] += share[m] * cells_[cell[m]].value[f];
+    const std::array<double, 8> value = mean_by_shares(i);
     const double volume = volume_[i];
     for (std::size_t a = 0; a < 3; ++a) {
       double u = value[CellValues::velocity_x + a];
       if (corrected) u += velocity_correction_[a][i];
       liquid_velocity_[a][i] = u;
+      // Equation (20): V (−∇p + ∇·τ), of the dynamic pressure
       const double stress_force = volume * value[CellValues::stress_x + a];
-      if (!explicit_exchange) {
+      if (!explicit_exchange) {  // Equation (35): F = K' (u − v'), now with the stress in v'
         const double without_drag = free_velocity_[a][i] + time_step / particles.inertial_mass(i) * stress_force;
         drag_[a][i] = damped_coefficient_[i] * (u - without_drag);
       }
       (*external[a])[i] = drag_[a][i] + stress_force;
-      if (further_.any()) (*external[a])[i] += further_force_[a][i];
+      if (beyond_drag_.any()) (*external[a])[i] += beyond_force_[a][i];
     }
+    // Weight, and buoyancy by the static pressure
     (*external[2])[i] -= gravitational_acceleration * (particles.mass[i] - scene_.liquid.density * volume);
   }
   velocity_is_gathered_ = true;
@@ -319,8 +232,8 @@ double PhaseCoupling::update_coefficient(const dem::Engine& engine, double time_
   double change = 0.0;
   for (std::size_t i = 0; i < particles.size(); ++i) {
     const double coefficient =
-        further_coefficient_[i] + volume_[i] * drag::exchange_per_solid_volume(next_coefficient_[i], voidage_[i],
-                                                                               2.0 * particles.radius[i], viscosity);
+        beyond_coefficient_[i] + volume_[i] * drag::exchange_per_solid_volume(next_coefficient_[i], voidage_[i],
+                                                                              2.0 * particles.radius[i], viscosity);
     change = std::max(change, std::abs(coefficient - coefficient_[i]) / coefficient_[i]);
     coefficient_[i] = coefficient;
     damped_coefficient_[i] = coefficient / (1.0 + coefficient * time_step / particles.inertial_mass(i));
@@ -333,17 +246,17 @@ void PhaseCoupling::advance(dem::Engine& engine, double time_step) {
   resize(n);
 #pragma omp parallel for num_threads(engine.threads()) schedule(static)
   for (std::size_t i = 0; i < n; ++i) volume_[i] = engine.particles.volume(i);
-  passes_ = 1;
   cells_.resize(liquid_.grid().size());
   update_void_fraction(engine, time_step);
   if (!cells_valid_) read_liquid(engine.threads());
-  if (further_.any()) apply_further_forces(engine);
+  if (beyond_drag_.any()) apply_forces_beyond_drag(engine);
   read_at_spheres(engine, time_step);
   NamedFields start;
   if (implicit_) start = liquid_.state();
-  for (;; ++passes_) {
+  for (passes_ = 1;; ++passes_) {
     give_to_liquid(engine, time_step);
-    liquid_.advance(time_step, liquid_before_, liquid_now_, exchange_);
+    // Equations (26), (27)
+    liquid_.advance(time_step, volumes_.before(), volumes_.now(), exchange_);
     read_liquid(engine.threads());
     give_to_spheres(engine, time_step);
     if (!implicit_) break;
@@ -357,36 +270,42 @@ void PhaseCoupling::advance(dem::Engine& engine, double time_step) {
                       passes_, change));
     liquid_.restore(start);
   }
-  std::swap(liquid_before_, liquid_now_);
-  if (!corrects_disturbance_) return;
-  for (std::size_t i = 0; i < n; ++i) {
-    const auto v = engine.particles.velocity.at(i);
+  volumes_.end_step();
+  if (corrects_disturbance_) disturb_liquid(engine.particles);
+}
+
+/// What the spheres' drag does to the velocity that they themselves will read.
+void PhaseCoupling::disturb_liquid(const dem::Particles& particles) {
+  for (std::size_t i = 0; i < particles.size(); ++i) {
+    const auto v = particles.velocity.at(i);
     const double slip =
         std::hypot(liquid_velocity_[0][i] - v[0], liquid_velocity_[1][i] - v[1], liquid_velocity_[2][i] - v[2]);
-    further_.disturb(i, {-drag_[0][i], -drag_[1][i], -drag_[2][i]}, own_concentration(i), voidage_[i], slip);
+    beyond_drag_.disturb(i, {-drag_[0][i], -drag_[1][i], -drag_[2][i]}, own_concentration(i), voidage_[i], slip);
   }
 }
 
 /// Σ φ²/V_c of a sphere's shares [1/m³].
 double PhaseCoupling::own_concentration(std::size_t i) const {
   const auto layers = static_cast<std::size_t>(liquid_.grid().layers());
-  const std::uint32_t* cell = shares_.cells(i);
-  const double* share = shares_.shares(i);
+  const VolumeShares& shares = volumes_.shares();
+  const std::uint32_t* cell = shares.cells(i);
+  const double* share = shares.shares(i);
   double sum = 0.0;
-  for (int m = 0; m < shares_.count(i); ++m)
+  for (int m = 0; m < shares.count(i); ++m)
     sum += share[m] * share[m] / liquid_.grid().volume(static_cast<int>(cell[m] / layers));
   return sum;
 }
 
 /// Forces that the scene has switched on beyond drag and pressure, from the liquid around each sphere before the step.
-void PhaseCoupling::apply_further_forces(dem::Engine& engine) {
+void PhaseCoupling::apply_forces_beyond_drag(dem::Engine& engine) {
   dem::Particles& particles = engine.particles;
   const std::size_t n = particles.size();
+  const VolumeShares& shares = volumes_.shares();
   for (std::size_t i = 0; i < n; ++i) {
     std::array<double, 3> u{};
-    const std::uint32_t* cell = shares_.cells(i);
-    const double* share = shares_.shares(i);
-    for (int m = 0; m < shares_.count(i); ++m)
+    const std::uint32_t* cell = shares.cells(i);
+    const double* share = shares.shares(i);
+    for (int m = 0; m < shares.count(i); ++m)
       for (std::size_t a = 0; a < 3; ++a) u[a] += share[m] * cells_[cell[m]].value[CellValues::velocity_x + a];
     if (at_centres_) {
       const auto at_centre = point_values_.at(particles.position.at(i), cells_);
@@ -394,40 +313,41 @@ void PhaseCoupling::apply_further_forces(dem::Engine& engine) {
     }
     for (std::size_t a = 0; a < 3; ++a) liquid_velocity_[a][i] = u[a];
   }
-  further_.start_step(particles, liquid_velocity_);
+  beyond_drag_.start_step(particles, liquid_velocity_);
   for (std::size_t i = 0; i < n; ++i) {
-    FurtherForces::Surroundings around{
-        Vec3{liquid_velocity_[0][i], liquid_velocity_[1][i], liquid_velocity_[2][i]} - further_.self_induced(i), {}};
-    if (further_.need_gradients()) {
+    ForcesBeyondDrag::Surroundings around{
+        Vec3{liquid_velocity_[0][i], liquid_velocity_[1][i], liquid_velocity_[2][i]} - beyond_drag_.self_induced(i),
+        {}};
+    if (beyond_drag_.need_gradients()) {
       const auto gradient = point_values_.gradient(particles.position.at(i), cells_);
       for (std::size_t a = 0; a < 3; ++a)
         around.gradient[a] = {gradient[a + 1][0], gradient[a + 1][1], gradient[a + 1][2]};
     }
-    const FurtherForces::Effect effect = further_.effect(particles, i, around);
-    further_force_[0][i] = effect.force.x, further_force_[1][i] = effect.force.y, further_force_[2][i] = effect.force.z;
-    further_reaction_[0][i] = effect.reaction.x, further_reaction_[1][i] = effect.reaction.y;
-    further_reaction_[2][i] = effect.reaction.z;
-    further_coefficient_[i] = effect.coefficient;
-    const Vec3 turned = further_.turned(particles, i, around);
-    particles.angular_velocity.x[i] += turned.x;
-    particles.angular_velocity.y[i] += turned.y;
-    particles.angular_velocity.z[i] += turned.z;
+    const ForcesBeyondDrag::Effect effect = beyond_drag_.effect(particles, i, around);
+    beyond_force_[0][i] = effect.force.x, beyond_force_[1][i] = effect.force.y, beyond_force_[2][i] = effect.force.z;
+    beyond_reaction_[0][i] = effect.reaction.x, beyond_reaction_[1][i] = effect.reaction.y;
+    beyond_reaction_[2][i] = effect.reaction.z;
+    beyond_coefficient_[i] = effect.coefficient;
+    const Vec3 change = beyond_drag_.change_of_angular_velocity(particles, i, around);
+    particles.angular_velocity.x[i] += change.x;
+    particles.angular_velocity.y[i] += change.y;
+    particles.angular_velocity.z[i] += change.z;
   }
 }
 
 double PhaseCoupling::pressure_force(std::size_t i, std::size_t a) {
   std::vector<double> cells;
   liquid_.gather_pressure_gradient(a, cells);
-  smoothing_.gather(cells);
-  const double gradient = shares_.gather(i, cells);
+  volumes_.smoothing().gather(cells);
+  const double gradient = volumes_.shares().gather(i, cells);
   return -volume_[i] * (gradient - (a == 2 ? scene_.liquid.density * gravitational_acceleration : 0.0));
 }
 
 std::vector<double> PhaseCoupling::void_fraction() const {
-  std::vector<double> voidage(liquid_before_.size());
+  std::vector<double> voidage(liquid_volume().size());
   const auto layers = static_cast<std::size_t>(liquid_.grid().layers());
   for (std::size_t c = 0; c < voidage.size(); ++c)
-    voidage[c] = liquid_before_[c] / liquid_.grid().volume(static_cast<int>(c / layers));
+    voidage[c] = liquid_volume()[c] / liquid_.grid().volume(static_cast<int>(c / layers));
   return voidage;
 }
 

@@ -311,7 +311,7 @@ Scene everything_on(Interpolation interpolation, MomentumExchange exchange) {
 }
 
 // With every switch on, a run that is stopped in each of its stages goes on bit by bit.
-TEST(FurtherForcesInARun, ContinueAfterAStopBitByBit) {
+TEST(ForcesBeyondDragInARun, ContinueAfterAStopBitByBit) {
   for (const auto& [interpolation, exchange] : {std::pair{Interpolation::gradient, MomentumExchange::semi_implicit},
                                                 {Interpolation::trilinear, MomentumExchange::implicit}}) {
     const Scene scene = everything_on(interpolation, exchange);

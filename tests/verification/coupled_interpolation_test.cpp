@@ -129,7 +129,7 @@ TEST(Shares, ReadALinearFieldOnAverage) {
   Scene scene = periodic_box(0.048, 0.06, 8, 0.0);
   const fluid::ColumnGrid grid(scene);
   const double width = grid.spacing(0), radius = 0.0025;
-  coupling::VolumeShares shares(VoidFractionScheme::exact_overlap, 1, grid, radius);
+  coupling::VolumeShares shares(coupling::make_share_scheme(scene.coupling), grid, radius);
   for (std::size_t axis : {std::size_t{0}, std::size_t{1}, std::size_t{2}}) {
     std::vector<double> field(grid.size());
     for (std::size_t c = 0; c < field.size(); ++c) field[c] = cell_position(grid, c)[axis];

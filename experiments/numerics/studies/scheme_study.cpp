@@ -8,7 +8,7 @@
 #include <random>
 
 #include "solver/coupling/diffusion_smoothing.hpp"
-#include "solver/coupling/void_fraction.hpp"
+#include "solver/coupling/volume_shares.hpp"
 #include "solver/support/processor.hpp"
 
 namespace slfb::void_fraction_study {
@@ -28,11 +28,18 @@ Scene cubes(int across, int layers, double cell) {
 
 constexpr double sphere_volume = std::numbers::pi / 6.0;
 
+std::unique_ptr<coupling::ShareScheme> scheme_of(const Method& method) {
+  Coupling keys;
+  keys.void_fraction = method.scheme;
+  keys.meshing_pieces = method.pieces;
+  return coupling::make_share_scheme(keys);
+}
+
 /// Volume of spheres in each cell.
 class Sharing {
  public:
   Sharing(const Method& method, const fluid::ColumnGrid& grid)
-      : shares_(method.scheme, method.pieces, grid, 0.5), smoothing_(grid, method.smoothing) {}
+      : shares_(scheme_of(method), grid, 0.5), smoothing_(grid, method.smoothing) {}
 
   const std::vector<double>& operator()(const dem::Particles& spheres) {
     volumes_.assign(spheres.size(), sphere_volume);

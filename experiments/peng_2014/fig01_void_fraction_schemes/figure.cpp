@@ -13,7 +13,7 @@
 #include "experiments/figures/figure_support.hpp"
 #include "experiments/numerics/studies/scheme_study.hpp"
 #include "experiments/peng_2014/figures.hpp"
-#include "solver/coupling/void_fraction.hpp"
+#include "solver/coupling/void_fraction/particle_meshing.hpp"
 
 namespace slfb {
 namespace {
@@ -44,7 +44,7 @@ constexpr int across_of_paper = 16;
 /// The far half of the template, cut open: equal balls with the volume of a piece, farthest first, one colour per
 /// shell.
 DataTable template_half(int pieces) {
-  auto centres = coupling::VolumeShares::meshing_template(pieces);
+  auto centres = coupling::meshing_template(pieces);
   std::erase_if(centres, [](const auto& x) { return x[1] < 0.0; });
   std::ranges::sort(centres, std::greater{}, [](const auto& x) { return x[1]; });
   DataTable table{"fig01_template", {"x [radii]", "z [radii]", "radius [radii]", "colour [rgb]"}, {}};

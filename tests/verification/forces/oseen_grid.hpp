@@ -7,7 +7,7 @@
 #include <numbers>
 #include <vector>
 
-#include "solver/coupling/sphere_overlap.hpp"
+#include "solver/coupling/void_fraction/sphere_overlap.hpp"
 
 /// The exact answer of a staggered grid to the force of one sphere: the reference of the self-induced velocity.
 namespace slfb::coupling {

@@ -1,5 +1,3 @@
-#include "solver/coupling/void_fraction.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -8,6 +6,7 @@
 #include "experiments/numerics/studies/hard_spheres.hpp"
 #include "experiments/numerics/studies/problems/problem_list.hpp"
 #include "experiments/numerics/studies/scheme_study.hpp"
+#include "solver/coupling/volume_shares.hpp"
 #include "solver/support/processor.hpp"
 
 namespace slfb::studies {
@@ -52,8 +51,7 @@ TrialResult fullest(const Scene& scene, const Parameters& parameters, int replic
   cubes.fluid.cell_height = assembly.side / across;
   const double foreign = 0.5 * parameters.at("foreign");
   const fluid::ColumnGrid grid(cubes);
-  coupling::VolumeShares shares(scene.coupling.void_fraction, scene.coupling.meshing_pieces, grid,
-                                std::max(0.5, foreign));
+  coupling::VolumeShares shares(coupling::make_share_scheme(scene.coupling), grid, std::max(0.5, foreign));
   const double cell_volume = std::pow(assembly.side / across, 3);
   std::mt19937_64 generator(1);
   const double start = thread_cpu_seconds();

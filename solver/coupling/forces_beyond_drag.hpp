@@ -21,10 +21,10 @@ namespace slfb::coupling {
 /// All but the history's newest part, which is linear in the slip, are taken from the start of the liquid step as
 /// constant forces over it, and leave the liquid as the same impulse. The part of the added mass that resists the
 /// sphere's own acceleration is an inertia (dem::Particles::added_mass); the liquid receives it one step late.
-class FurtherForces {
+class ForcesBeyondDrag {
  public:
-  /// Null-like where the scene asks for none: see any().
-  FurtherForces(const Scene& scene, double time_step);
+  /// Inactive unless a force is on in `scene`: see any(). \param time_step of the liquid [s]
+  ForcesBeyondDrag(const Scene& scene, double time_step);
 
   [[nodiscard]] bool any() const { return any_; }
   [[nodiscard]] bool corrects_disturbance() const { return coupling_.disturbance_correction; }
@@ -51,8 +51,9 @@ class FurtherForces {
     double coefficient = 0.0;  ///< of the part that is linear in the slip, beside the drag's K [kg/s]
   };
   [[nodiscard]] Effect effect(const dem::Particles& particles, std::size_t i, const Surroundings& liquid) const;
-  /// Change of the spin over the coming step by the liquid's torque, implicit in the spin [rad/s].
-  [[nodiscard]] Vec3 turned(const dem::Particles& particles, std::size_t i, const Surroundings& liquid) const;
+  /// Change of the angular velocity over the coming step by the liquid's torque, implicit in it [rad/s].
+  [[nodiscard]] Vec3 change_of_angular_velocity(const dem::Particles& particles, std::size_t i,
+                                                const Surroundings& liquid) const;
 
   /// Velocity that the sphere's own force has given to the liquid it reads [m/s].
   [[nodiscard]] Vec3 self_induced(std::size_t i) const { return self_induced_[i]; }

@@ -1,4 +1,4 @@
-#include "solver/coupling/sphere_overlap.hpp"
+#include "solver/coupling/void_fraction/sphere_overlap.hpp"
 
 #include <algorithm>
 #include <cmath>

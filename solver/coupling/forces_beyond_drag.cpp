@@ -1,4 +1,4 @@
-#include "solver/coupling/further_forces.hpp"
+#include "solver/coupling/forces_beyond_drag.hpp"
 
 #include <algorithm>
 
@@ -13,7 +13,7 @@ Vec3 at(const dem::VectorField& field, std::size_t i) { return {field.x[i], fiel
 
 }  // namespace
 
-FurtherForces::FurtherForces(const Scene& scene, double time_step)
+ForcesBeyondDrag::ForcesBeyondDrag(const Scene& scene, double time_step)
     : coupling_(scene.coupling),
       liquid_{scene.liquid.density, scene.liquid.viscosity},
       time_step_(time_step),
@@ -23,7 +23,8 @@ FurtherForces::FurtherForces(const Scene& scene, double time_step)
   if (coupling_.basset_history) history_.emplace(time_step);
 }
 
-void FurtherForces::start_step(dem::Particles& particles, const std::array<std::vector<double>, 3>& liquid_velocity) {
+void ForcesBeyondDrag::start_step(dem::Particles& particles,
+                                  const std::array<std::vector<double>, 3>& liquid_velocity) {
   liquid_before_.swap(liquid_now_);
   sphere_before_.swap(sphere_now_);
   const std::size_t known = sphere_before_.size(), n = particles.size();
@@ -46,15 +47,15 @@ void FurtherForces::start_step(dem::Particles& particles, const std::array<std::
   for (std::size_t i = history_->size(); i < n; ++i) history_->add(liquid_now_[i] - sphere_now_[i]);
 }
 
-void FurtherForces::remove(std::size_t i) {
+void ForcesBeyondDrag::remove(std::size_t i) {
   if (i >= sphere_now_.size()) return;
   for (auto* vectors : {&self_induced_, &liquid_before_, &sphere_before_, &liquid_now_, &sphere_now_})
     if (i < vectors->size()) vectors->erase(vectors->begin() + static_cast<std::ptrdiff_t>(i));
   if (history_) history_->remove(i);
 }
 
-FurtherForces::Effect FurtherForces::effect(const dem::Particles& particles, std::size_t i,
-                                            const Surroundings& surroundings) const {
+ForcesBeyondDrag::Effect ForcesBeyondDrag::effect(const dem::Particles& particles, std::size_t i,
+                                                  const Surroundings& surroundings) const {
   const double diameter = 2.0 * particles.radius[i];
   const Vec3 sphere = sphere_now_[i], slip = surroundings.velocity - sphere;
   Effect effect;
@@ -81,7 +82,8 @@ FurtherForces::Effect FurtherForces::effect(const dem::Particles& particles, std
   return effect;
 }
 
-Vec3 FurtherForces::turned(const dem::Particles& particles, std::size_t i, const Surroundings& surroundings) const {
+Vec3 ForcesBeyondDrag::change_of_angular_velocity(const dem::Particles& particles, std::size_t i,
+                                                  const Surroundings& surroundings) const {
   const Vec3 rotation = relative_rotation(surroundings.vorticity(), at(particles.angular_velocity, i));
   const double turning = norm(rotation);
   if (!coupling_.magnus_lift || turning == 0.0) return {};
@@ -89,11 +91,11 @@ Vec3 FurtherForces::turned(const dem::Particles& particles, std::size_t i, const
   return (time_step_ / (particles.inertia(i) + time_step_ * norm(torque) / turning)) * torque;
 }
 
-void FurtherForces::disturb(std::size_t i, Vec3 force_on_liquid, double concentration, double voidage, double slip) {
+void ForcesBeyondDrag::disturb(std::size_t i, Vec3 force_on_liquid, double concentration, double voidage, double slip) {
   self_induced_[i] = disturbance_.advance(self_induced_[i], force_on_liquid, concentration, voidage, slip, time_step_);
 }
 
-NamedFields FurtherForces::state() const {
+NamedFields ForcesBeyondDrag::state() const {
   NamedFields state;
   const auto write = [&](const std::string& name, const std::vector<Vec3>& vectors) {
     auto &x = state[name + "_x"], &y = state[name + "_y"], &z = state[name + "_z"];
@@ -110,7 +112,7 @@ NamedFields FurtherForces::state() const {
   return state;
 }
 
-void FurtherForces::restore(const NamedFields& state) {
+void ForcesBeyondDrag::restore(const NamedFields& state) {
   const auto read = [&](const std::string& name, std::vector<Vec3>& vectors) {
     const auto &x = field_of(state, name + "_x"), &y = field_of(state, name + "_y"), &z = field_of(state, name + "_z");
     vectors.clear();

@@ -1,0 +1,134 @@
+#include "solver/coupling/liquid_volumes.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "solver/coupling/void_fraction/single_cell.hpp"
+
+namespace slfb::coupling {
+namespace {
+
+double largest_radius(const Scene& scene) {
+  double radius = 0.0;
+  for (const Species& species : scene.species) radius = std::max(radius, 0.5 * species.diameter);
+  return radius;
+}
+
+VolumeShares make_shares(const Scene& scene, const fluid::Liquid& liquid) {
+  if (!liquid.two_way())
+    return {std::make_unique<SingleCell>(), liquid.grid(), std::numeric_limits<double>::infinity()};
+  return {make_share_scheme(scene.coupling), liquid.grid(), largest_radius(scene)};
+}
+
+}  // namespace
+
+LiquidVolumes::LiquidVolumes(const Scene& scene, const fluid::Liquid& liquid)
+    : scene_(scene),
+      grid_(liquid.grid()),
+      two_way_(liquid.two_way()),
+      shares_(make_shares(scene, liquid)),
+      smoothing_(grid_, two_way_ ? scene.coupling.smoothing_length : 0.0) {}
+
+void LiquidVolumes::start_anew() {
+  before_.clear();
+  steps_done_ = steps_;
+}
+
+int LiquidVolumes::steps_per_interval() const {
+  return static_cast<int>(std::max(1L, std::lround(scene_.coupling.void_fraction_interval / scene_.fluid.time_step)));
+}
+
+/// The liquid at the end of an interval, from where the spheres will then be; after a sphere has been put in or taken
+/// out an interval of a single step, which displaces nothing.
+void LiquidVolumes::start_interval(const dem::Engine& engine, double time_step,
+                                   const std::vector<double>& sphere_volume) {
+  const dem::Particles& particles = engine.particles;
+  steps_done_ = 0;
+  steps_ = before_.empty() ? 1 : steps_per_interval();
+  if (steps_per_interval() == 1) {
+    shares_.update(particles, engine.threads());
+  } else {
+    const double ahead = (steps_ - 1) * time_step;
+    centres_ = particles.position;
+    for (std::size_t i = 0; i < particles.size(); ++i) {
+      centres_.x[i] += ahead * particles.velocity.x[i];
+      centres_.y[i] += ahead * particles.velocity.y[i];
+      centres_.z[i] += ahead * particles.velocity.z[i];
+    }
+    shares_.update(centres_, particles.radius, engine.threads());
+  }
+  // Equation (29): V_L = V_cell − Σ φ_i V_i
+  shares_.scatter<1>({&sphere_volume}, {&solid_}, engine.threads());
+  smoothing_.scatter(solid_, engine.threads());
+  at_end_.resize(grid_.size());
+  const auto layers = static_cast<std::size_t>(grid_.layers());
+#pragma omp parallel for num_threads(engine.threads()) schedule(static)
+  for (int s = 0; s < grid_.cells(); ++s) {
+    const std::size_t start = static_cast<std::size_t>(s) * layers;
+    const double volume = grid_.volume(s), *solid = &solid_[start];
+    double* liquid = &at_end_[start];
+#pragma omp simd
+    for (std::size_t k = 0; k < layers; ++k) liquid[k] = volume - solid[k];
+  }
+  if (steps_ > 1) at_start_ = before_;
+}
+
+bool LiquidVolumes::start_step(const dem::Engine& engine, double time_step, const std::vector<double>& sphere_volume) {
+  if (!two_way_) {
+    shares_.update(engine.particles, engine.threads());
+    voidage_.assign(grid_.size(), 1.0);
+    return true;
+  }
+  const bool new_shares = steps_done_ >= steps_ || at_end_.empty();
+  if (new_shares) start_interval(engine, time_step, sphere_volume);
+  ++steps_done_;
+  const double done = static_cast<double>(steps_done_) / steps_;
+  now_.resize(grid_.size());
+  voidage_.resize(grid_.size());
+  const auto layers = static_cast<std::size_t>(grid_.layers());
+#pragma omp parallel for num_threads(engine.threads()) schedule(static)
+  for (int s = 0; s < grid_.cells(); ++s) {
+    const std::size_t start = static_cast<std::size_t>(s) * layers;
+    const double volume = grid_.volume(s), *end = &at_end_[start];
+    double *liquid = &now_[start], *voidage = &voidage_[start];
+    std::copy_n(end, layers, liquid);
+    if (steps_done_ < steps_)
+      for (std::size_t k = 0; k < layers; ++k) {
+        const double before = at_start_[start + k];
+        liquid[k] = before + done * (end[k] - before);
+      }
+#pragma omp simd
+    for (std::size_t k = 0; k < layers; ++k) voidage[k] = liquid[k] / volume;
+  }
+  smoothing_.gather(voidage_, engine.threads());
+  if (before_.empty()) before_ = now_;
+  return new_shares;
+}
+
+NamedFields LiquidVolumes::state() const {
+  NamedFields state{{"liquid_volume", before_}};
+  if (centres_.x.empty() || steps_done_ >= steps_) return state;
+  state["interval/steps"] = {static_cast<double>(steps_), static_cast<double>(steps_done_)};
+  state["interval/liquid_at_start"] = at_start_;
+  state["interval/liquid_at_end"] = at_end_;
+  state["interval/centre_x"] = centres_.x;
+  state["interval/centre_y"] = centres_.y;
+  state["interval/centre_z"] = centres_.z;
+  return state;
+}
+
+void LiquidVolumes::restore(const NamedFields& state, const std::vector<double>& radius) {
+  before_ = field_of(state, "liquid_volume");
+  if (!state.contains("interval/steps")) return;
+  const auto& steps = field_of(state, "interval/steps");
+  steps_ = static_cast<int>(steps.at(0));
+  steps_done_ = static_cast<int>(steps.at(1));
+  at_start_ = field_of(state, "interval/liquid_at_start");
+  at_end_ = field_of(state, "interval/liquid_at_end");
+  centres_ = {field_of(state, "interval/centre_x"), field_of(state, "interval/centre_y"),
+              field_of(state, "interval/centre_z")};
+  shares_.update(centres_, radius, 1);
+}
+
+}  // namespace slfb::coupling
