@@ -106,9 +106,10 @@ std::string springs_note(const std::vector<FinishedRun>& own_springs) {
   std::vector<std::string> keys;
   for (const FinishedRun& run : own_springs) keys.push_back(run_key(run.spec));
   return fmt::format(
-      "Contacts, collisions and single forces hang on the springs: where a system has two velocities with those of the "
-      "paper, they are taken from these runs alone (profiles springs and paper-steps: {}); elsewhere the springs are "
-      "softer, so that contacts last longer, with the root of mass over stiffness, and hide collisions.",
+      "Contacts, collisions and single forces depend on the stiffness of the springs. Where a system has two "
+      "velocities with that of the paper, they are taken from these runs alone (profiles springs and paper-steps: {}). "
+      "Elsewhere the springs are softer: contacts last longer, with the root of mass over stiffness, and fewer "
+      "collisions are counted.",
       keys.empty() ? "none yet" : join(keys, ", "));
 }
 
