@@ -138,6 +138,7 @@ class Engine {
   };
   [[nodiscard]] Memory memory() const;
   /// Goes on from a checkpoint of an engine with the same scene: every later step is the same, bit by bit.
+  /// Throws EngineError if the integrator of that engine was another one.
   void restore(Particles state, const Memory& memory);
 
  private:

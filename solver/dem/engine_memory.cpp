@@ -1,4 +1,6 @@
 // What the engine remembers: contacts over a rebuilt list, and everything over a checkpoint.
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <limits>
 #include <utility>
@@ -81,6 +83,9 @@ void Engine::restore(Particles state, const Memory& memory) {
   mean_solid_force_ = memory.mean_solid_force;
   steps_ = memory.steps;
   if (memory.list_position.x.size() != particles.size()) return;  // nothing had moved yet
+  if (memory.integrator.size() != 3 * integrator_memory_.size())
+    throw EngineError(fmt::format("the integrator's memory has {} values instead of {}", memory.integrator.size(),
+                                  3 * integrator_memory_.size()));
   for (std::size_t k = 0; k < integrator_memory_.size(); ++k)
     integrator_memory_[k].set({memory.integrator[3 * k], memory.integrator[3 * k + 1], memory.integrator[3 * k + 2]});
   // The order of all sums comes from the positions at which the list was built.

@@ -42,8 +42,9 @@ void exchange_fields(io::StateGroup& group, const Owner& owner, Restore restore)
     if (!restored.contains(name)) group.fail(name, "is not a name of this state");
 }
 
-/// Contacts as one array per property.
-void exchange_contacts(io::StateGroup& group, std::vector<dem::ContactRecord>& records) {
+/// Contacts of `spheres` spheres, with each other or with walls, as one array per property.
+void exchange_contacts(io::StateGroup& group, std::vector<dem::ContactRecord>& records, std::size_t spheres,
+                       bool at_walls) {
   using Record = dem::ContactRecord;
   const auto number = [&](const std::string& name, std::uint32_t Record::*property, std::optional<std::size_t> length) {
     std::vector<std::int64_t> values;
@@ -64,6 +65,10 @@ void exchange_contacts(io::StateGroup& group, std::vector<dem::ContactRecord>& r
   };
   number("first", &Record::first, {});
   number("second", &Record::second, records.size());
+  for (const Record& record : records)
+    if (record.first >= spheres || (!at_walls && record.second >= spheres))
+      group.fail("", fmt::format("has a contact of spheres {} and {}, but there are {}", record.first, record.second,
+                                 spheres));
   number("first_step", &Record::first_step, records.size());
   vector("spring", &Record::spring, "m");
   vector("rolling_memory", &Record::rolling_memory, "N m");
@@ -88,8 +93,10 @@ void exchange_particles(io::StateGroup& group, dem::Particles& particles) {
 
 void exchange_memory(io::StateGroup& group, dem::Engine::Memory& memory, std::size_t n) {
   group.value("steps", memory.steps);
-  group.part("sphere_contacts", [&](io::StateGroup& contacts) { exchange_contacts(contacts, memory.contacts); });
-  group.part("wall_contacts", [&](io::StateGroup& contacts) { exchange_contacts(contacts, memory.wall_contacts); });
+  group.part("sphere_contacts",
+             [&](io::StateGroup& contacts) { exchange_contacts(contacts, memory.contacts, n, false); });
+  group.part("wall_contacts",
+             [&](io::StateGroup& contacts) { exchange_contacts(contacts, memory.wall_contacts, n, true); });
   group.values("contact_events", memory.contact_events, n);
   exchange_vectors(group, "mean_solid_force", memory.mean_solid_force, "N", n);
   group.values("integrator", memory.integrator);
@@ -117,7 +124,12 @@ void Model::exchange_engine(io::StateGroup& group) {
   group.part("memory", [&](io::StateGroup& part) { exchange_memory(part, memory, n); });
   group.value("dropped", dropped);
   if (!group.reading()) return;
-  engine_.restore(std::move(particles), memory);
+  if (dropped >= static_cast<std::int64_t>(n)) group.fail("dropped", fmt::format("is sphere {} of {}", dropped, n));
+  try {
+    engine_.restore(std::move(particles), memory);
+  } catch (const dem::EngineError& error) {
+    group.fail("memory", fmt::format("cannot be restored: {}", error.what()));
+  }
   dropped_.reset();
   if (dropped >= 0) dropped_ = static_cast<std::size_t>(dropped);
   engine_.track(dropped_);

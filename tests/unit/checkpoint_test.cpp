@@ -102,6 +102,9 @@ TEST_F(CheckpointTest, AWrongLengthIsNamed) {
   Scene scene = two_spheres();
   scene.fluid.cells_across = 5;
   expect_failure(scene, {"liquid/", "values instead of"});
+  scene = two_spheres();
+  scene.contact.integrator = Integrator::gear;
+  expect_failure(scene, {"spheres/memory", "integrator", "values instead of"});
 }
 
 TEST_F(CheckpointTest, OneOfAnotherVersionIsSaidToBeSo) {
