@@ -232,8 +232,9 @@ INSTANTIATE_TEST_SUITE_P(Figures, EveryFigure, testing::Bool(),
 
 TEST(Gnuplot, AFailingScriptThrowsWithItsMessage) {
   const Folder folder;
+  std::ofstream(folder.path() / "figure.gp") << "plot 'absent.csv' using 1:2\n";
   try {
-    draw_figure("broken", "plot 'absent.csv' using 1:2\n", {}, folder.path());
+    draw_plot("broken", folder.path() / "figure.gp", {}, {}, folder.path());
     FAIL() << "no exception";
   } catch (const std::runtime_error& error) {
     EXPECT_NE(std::string(error.what()).find("absent.csv"), std::string::npos) << error.what();
@@ -242,13 +243,14 @@ TEST(Gnuplot, AFailingScriptThrowsWithItsMessage) {
 
 TEST(Gnuplot, AnAbsentGnuplotThrowsAndSaysWhatToInstall) {
   const Folder folder;
+  std::ofstream(folder.path() / "figure.gp") << "plot x\n";
   const char* search_path = getenv("PATH");
   ASSERT_NE(search_path, nullptr);
   const std::string path = search_path;
   setenv("PATH", folder.path().c_str(), 1);
   std::string message;
   try {
-    draw_figure("absent", "plot x\n", {}, folder.path());
+    draw_plot("absent", folder.path() / "figure.gp", {}, {}, folder.path());
   } catch (const std::runtime_error& error) {
     message = error.what();
   }
