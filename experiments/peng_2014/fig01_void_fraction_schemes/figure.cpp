@@ -6,7 +6,6 @@
 #include <chrono>
 #include <cmath>
 #include <ctime>
-#include <fstream>
 #include <string>
 
 #include "experiments/figures/figure_folder.hpp"
@@ -14,6 +13,7 @@
 #include "experiments/numerics/studies/scheme_study.hpp"
 #include "experiments/peng_2014/figures.hpp"
 #include "solver/coupling/void_fraction/particle_meshing.hpp"
+#include "solver/support/processor.hpp"
 
 namespace slfb {
 namespace {
@@ -23,13 +23,6 @@ const FigureFolder folder{"peng_2014/fig01_void_fraction_schemes"};
 using void_fraction_study::Method;
 using void_fraction_study::methods;
 using void_fraction_study::Outcome;
-
-std::string processor() {
-  std::ifstream cpu_info("/proc/cpuinfo");
-  for (std::string line; std::getline(cpu_info, line);)
-    if (line.starts_with("model name")) return line.substr(line.find(':') + 2);
-  return "an unnamed processor";
-}
 
 /// Cells over the side of the assembly, and how often the grid is laid anew; few large cells need it.
 struct Width {
@@ -120,7 +113,7 @@ FigureOutput draw(const FigureContext& context) {
   const auto assembly = void_fraction_study::hard_spheres(spheres, 0.5, 1);
   const double paper_cell = assembly.side / across_of_paper;
   const std::time_t now = std::chrono::system_clock::to_time_t(std::chrono::system_clock::now());
-  const std::string when = fmt::format("{}; {:%F}", processor(), fmt::localtime(now));
+  const std::string when = fmt::format("{}; {:%F}", processor_name(), fmt::localtime(now));
   FigureOutput output{
       "fig01",
       {},
