@@ -4,11 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
 #include <sstream>
 #include <stdexcept>
 #include <string_view>
 
+#include "solver/support/files.hpp"
 #include "solver/support/folders.hpp"
 #include "solver/support/run_program.hpp"
 
@@ -17,26 +17,22 @@ namespace {
 
 namespace fs = std::filesystem;
 
-void write_file(const fs::path& file, const std::string& text) {
-  std::ofstream stream(file, std::ios::binary);
-  stream << text;
-  stream.close();
-  if (!stream) throw std::runtime_error(fmt::format("cannot write {}", file.string()));
-}
-
-std::string read_file(const fs::path& file) {
-  std::ifstream stream(file, std::ios::binary);
-  if (!stream) throw std::runtime_error(fmt::format("cannot read {}", file.string()));
-  std::ostringstream text;
-  text << stream.rdbuf();
-  return text.str();
-}
-
 /// `text` between single quotes, its markup kept.
 std::string quoted(const std::string& text) {
   std::string result = "'";
   for (const char character : text) {
     if (character == '\'') result += '\'';
+    result += character;
+  }
+  return result + "'";
+}
+
+/// `text` between single quotes as gnuplot reads it, and without its markup (_ ^ { } @ & ~ are shown as written).
+std::string gnuplot_text(const std::string& text) {
+  std::string result = "'";
+  for (const char character : text) {
+    if (character == '\'') result += '\'';
+    if (std::string_view("_^{}@&~\\").find(character) != std::string_view::npos) result += '\\';
     result += character;
   }
   return result + "'";
@@ -135,14 +131,6 @@ void PlotValues::list(const std::string& name, const std::vector<std::string>& i
 
 void draw_plot(const std::string& id, const fs::path& plot, const PlotValues& values, const Canvas& canvas,
                const fs::path& folder, const fs::path& frame, const std::vector<std::string>& formats) {
-  const std::string size = fmt::format("width = {}.0\nheight = {}.0\n", canvas.width, canvas.height);
-  draw_figure(
-      id, size + values.commands() + "\n" + (frame.empty() ? "" : with_loaded_files(frame)) + with_loaded_files(plot),
-      canvas, folder, formats);
-}
-
-void draw_figure(const std::string& id, const std::string& commands, const Canvas& canvas, const fs::path& folder,
-                 const std::vector<std::string>& formats) {
   const std::string head =
       fmt::format(prologue, fmt::arg("id", id), fmt::arg("formats", fmt::join(formats, " ")),
                   fmt::arg("width", canvas.width), fmt::arg("height", canvas.height),
@@ -150,7 +138,10 @@ void draw_figure(const std::string& id, const std::string& commands, const Canva
                   fmt::arg("pdf_width", canvas.width / 96.0), fmt::arg("pdf_height", canvas.height / 96.0));
   const std::string style = read_file(source_folder() / "reports" / "style.gp");
   const std::string script = id + ".gp";
-  write_file(folder / script, head + "\n" + style + "\n" + commands + "unset output\n");
+  const std::string size = fmt::format("width = {}.0\nheight = {}.0\n", canvas.width, canvas.height);
+  write_file(folder / script, head + "\n" + style + "\n" + size + values.commands() + "\n" +
+                                  (frame.empty() ? "" : with_loaded_files(frame)) + with_loaded_files(plot) +
+                                  "unset output\n");
   for (const std::string& format : formats) fs::remove(folder / (id + "." + format));
   const auto [message, status] = run_program({"gnuplot", script}, folder, "apt-get install gnuplot-nox");
   if (status != 0)
@@ -162,16 +153,6 @@ void draw_figure(const std::string& id, const std::string& commands, const Canva
     if (fs::file_size(picture, missing) == 0 || missing)
       throw std::runtime_error(fmt::format("gnuplot left no {}:\n{}", picture.string(), message));
   }
-}
-
-std::string gnuplot_text(const std::string& text) {
-  std::string quoted = "'";
-  for (const char character : text) {
-    if (character == '\'') quoted += '\'';
-    if (std::string_view("_^{}@&~\\").find(character) != std::string_view::npos) quoted += '\\';
-    quoted += character;
-  }
-  return quoted + "'";
 }
 
 }  // namespace slfb

@@ -62,14 +62,4 @@ void draw_plot(const std::string& id, const std::filesystem::path& plot, const P
                const std::filesystem::path& folder, const std::filesystem::path& frame = {},
                const std::vector<std::string>& formats = {"svg", "png", "pdf"});
 
-/// Writes ID.gp into `folder` and runs it there, which leaves ID.svg, ID.png and ID.pdf, or those of `formats`. The
-/// script contains the shared style (reports/style.gp) and names its data without a folder, so that `gnuplot ID.gp`
-/// beside the CSV files redraws the figure anywhere. Throws std::runtime_error with gnuplot's own message when gnuplot
-/// is missing, fails, or leaves a picture out.
-void draw_figure(const std::string& id, const std::string& commands, const Canvas& canvas,
-                 const std::filesystem::path& folder, const std::vector<std::string>& formats = {"svg", "png", "pdf"});
-
-/// `text` between single quotes as gnuplot reads it, and without its markup (_ ^ { } @ & ~ are shown as written).
-std::string gnuplot_text(const std::string& text);
-
 }  // namespace slfb

@@ -147,20 +147,6 @@ std::string series_title(const FigureContext& context, std::string_view system, 
 
 int line_style(std::size_t place) { return 2 + static_cast<int>(place % 4); }
 
-std::string error_bars(const DataTable& table, const std::vector<int>& using_columns, const std::string& style,
-                       int line_style) {
-  const auto half_width = static_cast<std::size_t>(using_columns.back()) - 1;
-  if (std::none_of(table.rows.begin(), table.rows.end(),
-                   [&](const auto& row) { return std::isfinite(row[half_width]); }))
-    return "";
-  // Both at once, one of them of no width: gnuplot leaves a gap for the point in the bars of a single direction, in
-  // which short bars vanish.
-  const std::string widths =
-      style == "yerrorbars" ? fmt::format("(0):{}", using_columns.back()) : fmt::format("{}:(0)", using_columns.back());
-  return fmt::format("'{}.csv' skip 1 using {}:{}:{} with xyerrorbars linestyle {} pointsize 0 linewidth 1.4 notitle, ",
-                     table.name, using_columns.at(0), using_columns.at(1), widths, line_style);
-}
-
 DataTable against_bed(const FigureContext& context, std::string_view quantity, const std::string& heading,
                       std::string_view system, std::string_view variant, BedAbscissa abscissa) {
   const bool solids = abscissa == BedAbscissa::solid_fraction;

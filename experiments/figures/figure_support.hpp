@@ -56,12 +56,6 @@ std::string series_title(const FigureContext& context, std::string_view system, 
 /// gnuplot line style of the variant with this place in variants_of: 2, 3, 4, 5, then from the start.
 int line_style(std::size_t place);
 
-/// A plot element for the error bars of `table`, ended by ", "; empty when no row has an interval (single samples).
-/// \param using_columns as gnuplot's "using", the last of which holds the half widths, for instance {1, 2, 3}
-/// \param style "xerrorbars" or "yerrorbars"
-std::string error_bars(const DataTable& table, const std::vector<int>& using_columns, const std::string& style,
-                       int line_style);
-
 /// What stands on the abscissa of a plot against the state of the bed.
 enum class BedAbscissa { voidage, solid_fraction };
 

@@ -101,14 +101,7 @@ FigureOutput draw(const FigureContext& context) {
                                 solved.reduced.set, solved.reduced.date));
   }
   table.reject_others();
-  return draw_table("paper-steps", folder.caption(),
-                    {{"\nsetting of the paper", 14, true},
-                     {"\nmeasured by", 330, true},
-                     {"\nthe paper", 640},
-                     {"limit, or\nresolved", 790},
-                     {"of the limit,\nor change", 950, false, "ours"},
-                     {"\n", 970, true}},
-                    rows, data, notes, 1110, context.out);
+  return draw_table("paper-steps", folder, rows, data, notes, 1110, context.out);
 }
 
 }  // namespace

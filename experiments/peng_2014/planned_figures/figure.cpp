@@ -28,10 +28,7 @@ FigureOutput draw(const FigureContext& context) {
     notes.push_back(
         fmt::format("{} asks for {}; nearest to its band: {}.", plan.figure, fmt::join(plan.asked, ", "), plan.worst));
   }
-  PlotValues values;
-  const int height = add_table(rows, values);
-  draw_plot("planned-figures", folder.plot(), values, {1040, height}, context.out);
-  return {"planned-figures", {write_csv(data, context.out)}, folder.caption(), std::move(notes)};
+  return draw_table("planned-figures", folder, rows, data, std::move(notes), 1040, context.out);
 }
 
 }  // namespace

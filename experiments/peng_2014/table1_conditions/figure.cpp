@@ -5,7 +5,6 @@
 
 #include "experiments/figures/drawn_table.hpp"
 #include "experiments/figures/figure_folder.hpp"
-#include "experiments/figures/figure_support.hpp"
 #include "experiments/peng_2014/figures.hpp"
 #include "experiments/peng_2014/inconsistencies.hpp"
 #include "experiments/peng_2014/paper_conditions.hpp"
@@ -60,7 +59,6 @@ std::string compact(double value) {
 
 FigureOutput draw(const FigureContext& context) {
   const Scene scene = load_scene(source_folder() / "experiments" / "peng_2014" / "scenes" / "6in5W.toml", {});
-  FigureOutput output{"table1", {}, folder.caption(), {"No simulation stands behind this picture."}};
   const auto doubts = inconsistencies();
   DataTable table{
       "table1_conditions", {"row of the table [-]", "printed [SI]", "here [SI]", "needed elsewhere [SI]"}, {}};
@@ -75,11 +73,7 @@ FigureOutput draw(const FigureContext& context) {
                     compact(needed)});
     table.rows.push_back({static_cast<double>(rows.size()), printed.value, ours, needed});
   }
-  output.data.push_back(write_csv(table, context.out));
-  PlotValues values;
-  const int height = add_table(rows, values);
-  draw_plot("table1", folder.plot(), values, {690, height}, context.out);
-  return output;
+  return draw_table("table1", folder, rows, table, {"No simulation stands behind this picture."}, 690, context.out);
 }
 
 }  // namespace

@@ -62,14 +62,7 @@ FigureOutput draw(const FigureContext& context) {
       first = false;
     }
   }
-  return draw_table("default-knees", folder.caption(),
-                    {{"\nstudy", 14, true},
-                     {"\ndefault, at", 170, true},
-                     {"\nquantity", 400, true},
-                     {"\nerror", 700, false, "ours"},
-                     {"best of what\nis cheaper", 940},
-                     {"cheapest of what\nis better", 1170}},
-                    rows, data, notes, 1184, context.out);
+  return draw_table("default-knees", folder, rows, data, notes, 1184, context.out);
 }
 
 }  // namespace

@@ -55,14 +55,7 @@ FigureOutput draw(const FigureContext& context) {
     data.rows.push_back({static_cast<double>(rows.size()), error->value, error->half_width, band, point->cpu_seconds});
   }
   table.reject_others();
-  return draw_table("less-is-enough", folder.caption(),
-                    {{"\nasked", 14, true},
-                     {"\nanswered by", 250, true},
-                     {"\nerror", 720, false, "ours"},
-                     {"\nband", 790},
-                     {"\nCPU", 890},
-                     {"\n", 910, true}},
-                    rows, data, notes, 1090, context.out);
+  return draw_table("less-is-enough", folder, rows, data, notes, 1090, context.out);
 }
 
 }  // namespace
