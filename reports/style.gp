@@ -74,5 +74,5 @@ bars = 'pointsize 0 linewidth 1.4 notitle'
 # gnuplot opens the first file of a list even where a loop has nothing to do: of an empty list it is this one.
 $empty_list << END
 heading
-1,1,1,1,1,1,1,1,1,1,1,1
+1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1
 END

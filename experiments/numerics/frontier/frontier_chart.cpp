@@ -212,7 +212,7 @@ void set_panels(const std::vector<Panel>& panels, PlotValues& values) {
     drawn_end.push_back(static_cast<double>(drawn.size()));
   }
   drawn.push_back(1.0);  // where a panel draws none, gnuplot reads the entry behind the last all the same
-  values.markups("panel_front", fronts);
+  values.files("panel_front", fronts);
   values.numbers("drawn", drawn);
   values.numbers("panel_drawn_end", drawn_end);
   numbers("panel_first", &Panel::first);
@@ -266,10 +266,10 @@ void draw(const Chart& chart, const std::vector<Panel>& panels, const DataTable&
   values.number("page_top", 1.0 - (head + 20.0) / height);
   values.number("page_gap", 108.0 / height);
   values.number("key_rows", key_rows);
-  values.markups("series", chart.tables);
+  values.files("series", chart.tables);
   values.texts("series_title", chart.study.series);
-  values.files("failed", failed, chart.tables.front());
-  values.markup("here", here.rows.empty() ? chart.tables.front() : here.name);
+  values.files("failed", failed);
+  values.markup("here", (here.rows.empty() ? chart.tables.front() : here.name) + ".csv");
   values.texts("foot", lines);
   values.numbers("foot_position", positions);
   set_panels(panels, values);

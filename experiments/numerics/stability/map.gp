@@ -40,16 +40,16 @@ set key at graph 0.5, character key_rows + 1.3 center top vertical maxrows key_r
 # Bars first: they would take the points' middle away. Methods without a boundary keep their place in the key; an arrow
 # leads out of the range in which was looked.
 plot \
-  for [k=1:bracketed_end] series[bracketed[k]].'.csv' skip 1 using 1:2:3:4 \
+  for [k=1:bracketed_end] series[bracketed[k]] skip 1 using 1:2:3:4 \
     with yerrorbars linestyle 200 + bracketed[k] notitle, \
-  for [k=1:bracketed_end] series[bracketed[k]].'.csv' skip 1 using 1:2 \
+  for [k=1:bracketed_end] series[bracketed[k]] skip 1 using 1:2 \
     with linespoints linestyle 100 + bracketed[k] notitle, \
-  for [k=1:open_end] series[open[k]].'.csv' skip 1 using 1:5:(0):($5 > middle ? 0.45*$5 : -0.35*$5) \
+  for [k=1:open_end] series[open[k]] skip 1 using 1:5:(0):($5 > middle ? 0.45*$5 : -0.35*$5) \
     with vectors head filled linestyle 100 + open[k] notitle, \
   for [s=1:series_count] keyentry with linespoints linestyle 100 + s title series_title[s], \
-  for [k=1:here_count] here[k].'.csv' skip 1 using 1:2 \
+  for [k=1:here_count] here[k] skip 1 using 1:2 \
     with points pointtype 6 pointsize 1.4 linecolor rgb '#000000' title 'quick set, this machine', \
-  for [k=1:theory_count] theory[k].'.csv' skip 1 using 1:theory_column[k] \
+  for [k=1:theory_count] theory[k] skip 1 using 1:theory_column[k] \
     with lines linecolor rgb theory_colour(k) linewidth 1.4 dashtype theory_dash[k] title theory_title[k], \
   for [k=1:mark_x_count] '+' every ::0::0 using (mark_x[k]):(mark_y[k]) \
     with points pointtype 3 pointsize 1.4 linewidth 2 linecolor rgb '#000000' notitle

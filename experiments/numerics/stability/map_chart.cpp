@@ -112,7 +112,7 @@ void set_axes(const Map& map, const SolvedMap& solved, const Range& y, PlotValue
   values.numbers("mark_right", mark_right);
 }
 
-void set_theories(const std::vector<TheoryCurve>& curves, const std::string& any_table, PlotValues& values) {
+void set_theories(const std::vector<TheoryCurve>& curves, PlotValues& values) {
   std::vector<std::string> tables, titles;
   std::vector<double> columns, series, dashes;
   for (const TheoryCurve& curve : curves) {
@@ -122,8 +122,7 @@ void set_theories(const std::vector<TheoryCurve>& curves, const std::string& any
     series.push_back(static_cast<double>(curve.series));
     dashes.push_back(curve.dash);
   }
-  if (curves.empty()) series.push_back(0.0);  // gnuplot reads the first entry of an empty list
-  values.files("theory", tables, any_table);
+  values.files("theory", tables);
   values.texts("theory_title", titles);
   values.numbers("theory_column", columns);
   values.numbers("theory_series", series);
@@ -182,7 +181,7 @@ FigureOutput draw_map(const Map& map, const SolvedMap& solved, const SolvedMap& 
 
   PlotValues values;
   set_axes(map, solved, y, values);
-  values.markups("series", tables);
+  values.files("series", tables);
   values.texts("series_title", titles);
   values.number("bracketed_end", static_cast<double>(bracketed.size()));
   values.number("open_end", static_cast<double>(open.size()));
@@ -190,8 +189,8 @@ FigureOutput draw_map(const Map& map, const SolvedMap& solved, const SolvedMap& 
     if (list->empty()) list->push_back(1.0);  // gnuplot reads the first entry of an empty list
   values.numbers("bracketed", bracketed);
   values.numbers("open", open);
-  values.files("here", here.rows.empty() ? std::vector<std::string>{} : std::vector{here.name}, tables.front());
-  set_theories(theories, tables.front(), values);
+  values.files("here", here.rows.empty() ? std::vector<std::string>{} : std::vector{here.name});
+  set_theories(theories, values);
   const std::size_t entries = map.series.size() + theories.size() + (here.rows.empty() ? 0 : 1);
   values.number("key_rows", static_cast<double>((entries + 1) / 2));
   draw_plot(id, source_folder() / "experiments/numerics/stability/map.gp", values, {620, 500}, folder);
