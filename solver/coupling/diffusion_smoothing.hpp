@@ -20,12 +20,14 @@ namespace slfb::coupling {
 /// each the other's transpose, so that momentum is still exchanged to round-off.
 class DiffusionSmoothing {
  public:
-  /// \param length b [m]; 0 leaves every field as it is
+  /// The grid must outlive the smoothing. \param length b [m]; 0 leaves every field as it is
   DiffusionSmoothing(const fluid::ColumnGrid& grid, double length);
 
+  /// Both change a field of grid.size() values in place; the result does not depend on the number of threads.
   void scatter(std::vector<double>& extensive, int threads = 1);
   void gather(std::vector<double>& field, int threads = 1);
 
+  /// Diffusion steps of one smoothing [-].
   [[nodiscard]] int steps() const { return steps_; }
 
  private:

@@ -8,7 +8,7 @@
 
 namespace slfb::coupling {
 
-/// What spheres read from a cell; one cache line, so that a sphere reads each of its cells once.
+/// What spheres read from a cell: one cache line, so that reading all of it costs as much as reading one value.
 struct alignas(64) CellValues {
   enum Field : std::size_t { voidage, velocity_x, velocity_y, velocity_z, stress_x, stress_y, stress_z, unused };
   std::array<double, 8> value{};  ///< voidage [-], liquid velocity [m/s], −∇p + ∇·τ with the dynamic pressure [N/m³]
@@ -21,12 +21,14 @@ struct alignas(64) CellValues {
 /// slip. Trilinear: between the eight nearest centres; beyond the outermost ones the values go on unchanged.
 class PointValues {
  public:
+  /// The grid must outlive the values. \param no_slip velocity 0 on the faces of walls
   PointValues(const fluid::ColumnGrid& grid, Interpolation scheme, bool no_slip);
 
-  /// ∇ of voidage [1/m] and of each velocity component [1/s] in the cell that holds x, by the divergence theorem.
+  /// ∇ of voidage [1/m] and of each velocity component [1/s] in the cell that holds x [m], by the divergence theorem;
+  /// `cells` has grid.size() entries. Points outside the column count to its nearest cell.
   [[nodiscard]] std::array<std::array<double, 3>, 4> gradient(const std::array<double, 3>& x,
                                                               const std::vector<CellValues>& cells) const;
-  /// Voidage [-] and velocity [m/s] at x.
+  /// Voidage [-] and velocity [m/s] at x [m], by the scheme.
   [[nodiscard]] std::array<double, 4> at(const std::array<double, 3>& x, const std::vector<CellValues>& cells) const;
 
  private:

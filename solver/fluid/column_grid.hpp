@@ -28,14 +28,19 @@ class ColumnGrid {
     double middle;      ///< of the wetted length, across the axis [m]
   };
 
+  /// Cells of the section, layers over the height, cells in all [-].
   [[nodiscard]] int cells() const { return static_cast<int>(area_.size()); }
   [[nodiscard]] int layers() const { return layers_; }
+  [[nodiscard]] std::size_t size() const { return static_cast<std::size_t>(cells() * layers_); }
+  /// Height of a layer and of the column [m].
   [[nodiscard]] double cell_height() const { return height_; }
+  [[nodiscard]] double column_height() const { return height_ * layers_; }
   /// Width of a square along an axis [m]; both are equal except where a box is not a whole number of squares deep.
   [[nodiscard]] double spacing(std::size_t axis) const { return spacing_[axis]; }
-  [[nodiscard]] double column_height() const { return height_ * layers_; }
+  /// Squares along an axis of the section [-], those outside the wall included, and where the first begins [m].
   [[nodiscard]] int squares(std::size_t axis) const { return squares_[axis]; }
   [[nodiscard]] double lower(std::size_t axis) const { return lower_[axis]; }
+  /// Area of the section and of a cell in it [m²], volume of a cell [m³].
   [[nodiscard]] double section_area() const { return section_area_; }
   [[nodiscard]] double area(int cell) const { return area_[static_cast<std::size_t>(cell)]; }
   [[nodiscard]] double volume(int cell) const { return area(cell) * height_; }
@@ -62,7 +67,6 @@ class ColumnGrid {
   /// Radius of the round wall [m]; 0 for a box.
   [[nodiscard]] double radius() const { return radius_; }
   [[nodiscard]] bool periodic() const { return periodic_; }
-  [[nodiscard]] std::size_t size() const { return static_cast<std::size_t>(cells() * layers_); }
 
  private:
   /// \param layers over the height; \param across squares over the width; \param many_deep a box may be several squares

@@ -91,7 +91,7 @@ void PressureEquation::update_diagonal(Part& part) {
 }
 
 /// The layers' means of the coefficients, and the tridiagonal matrix of each mode factorised from both ends.
-void PressureEquation::update_preconditioner(const Own& own) {
+void PressureEquation::update_preconditioner(const ThreadPartition& own) {
   const int layers = grid_.layers();
   double *lateral_mean = lateral_mean_.data(), *vertical_mean = vertical_mean_.data();
   const int first = parts_[as_index(own.first)].first,
@@ -166,7 +166,7 @@ void PressureEquation::multiply(Part& part) {
   part.product = (part.direction * part.image).sum();
 }
 
-void PressureEquation::precondition(const Own& own, double magnitude) {
+void PressureEquation::precondition(const ThreadPartition& own, double magnitude) {
   const int layers = grid_.layers();
   for (int p = own.first; p < own.last; ++p) {
     Part& part = parts_[as_index(p)];
@@ -211,7 +211,7 @@ void PressureEquation::precondition(const Own& own, double magnitude) {
   }
 }
 
-PressureEquation::Outcome PressureEquation::iterate(const Own& own, const std::vector<double>& b,
+PressureEquation::Outcome PressureEquation::iterate(const ThreadPartition& own, const std::vector<double>& b,
                                                     std::vector<double>& x, double tolerance, int most) {
   const Eigen::Index layers = grid_.layers(), cells = grid_.cells();
   const Eigen::Map<const Eigen::ArrayXXd> right_hand_side(b.data(), layers, cells);

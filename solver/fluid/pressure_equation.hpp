@@ -21,7 +21,8 @@ namespace slfb::fluid {
 /// both ends towards the middle. The parts are the same however many threads there are, and so is the result.
 class PressureEquation {
  public:
-  /// `closed`: no outlet at the top; the pressure is then tied to 0 in cell 0, through which nothing must flow.
+  /// The grid must outlive the equation. \param closed no outlet at the top: the pressure is then tied to 0 in cell 0,
+  /// through which nothing must flow
   PressureEquation(const ColumnGrid& grid, bool closed, int threads = 1);
 
   /// Coefficients of the faces across x, y (face * layers + layer) and z (cell * (layers + 1) + face, from below; the
@@ -32,10 +33,11 @@ class PressureEquation {
     int iterations = 0;
     double relative_residual = 0.0;  ///< Euclidean norm over that of b
   };
-  /// Solves for x, starting from 0, until the residual is `tolerance` of b or after `most` iterations.
+  /// Solves for x [Pa], starting from 0, until the residual is `tolerance` of b [m³/s] or after `most` iterations; both
+  /// have grid.size() values. Throws nothing: the caller looks at the residual.
   Outcome solve(const std::vector<double>& b, std::vector<double>& x, double tolerance, int most);
 
-  /// Largest |b − A x| as the last iteration left it.
+  /// Largest |b − A x| over the cells as the last iteration left it [m³/s].
   [[nodiscard]] double largest_residual() const;
 
  private:
@@ -56,22 +58,23 @@ class PressureEquation {
   /// Parts, cells and modes come in whole multiples of this in the products of matrices; what is added is 0.
   static constexpr int width = 8;
   /// The parts that a thread works on.
-  struct Own {
+  struct ThreadPartition {
     int first, last;
   };
 
   // What follows is called by all threads of a parallel region together; it waits for the others where it must.
-  Outcome iterate(const Own& own, const std::vector<double>& b, std::vector<double>& x, double tolerance, int most);
+  Outcome iterate(const ThreadPartition& own, const std::vector<double>& b, std::vector<double>& x, double tolerance,
+                  int most);
   void update_diagonal(Part& part);
-  void update_preconditioner(const Own& own);
+  void update_preconditioner(const ThreadPartition& own);
   /// preconditioned from residual, whose `magnitude` is taken out while numbers are short; their scalar product.
-  void precondition(const Own& own, double magnitude);
+  void precondition(const ThreadPartition& own, double magnitude);
   /// The part that holds a layer; any for a layer outside the column.
   [[nodiscard]] const Part& part_of(int layer) const;
   /// image = A direction, and their scalar product.
   void multiply(Part& part);
   /// The thread that eliminates a half of the column is that of the half's first part.
-  [[nodiscard]] static bool is_owner(const Own& own, int half) {
+  [[nodiscard]] static bool is_owner(const ThreadPartition& own, int half) {
     return own.first <= half * (parts / 2) && half * (parts / 2) < own.last;
   }
   [[nodiscard]] int middle() const { return parts_[parts / 2].first; }

@@ -10,6 +10,7 @@
 namespace slfb::coupling {
 
 /// C = (3/2) d² √(π ρ μ) [kg/√s], by which BassetHistory's integral becomes a force.
+/// \param diameter d [m]
 double basset_coefficient(double diameter, LiquidProperties liquid);
 
 /// History force on spheres, Basset (1888): F = C [∫_0^t w'(τ)/√(t − τ) dτ + w(0)/√t], w = u − v the slip,
@@ -33,6 +34,7 @@ class BassetHistory {
 
   /// Appends a sphere with slip w(0) [m/s] at this moment.
   void add(Vec3 slip);
+  /// Takes sphere i out; those after it move up by one.
   void remove(std::size_t i);
   [[nodiscard]] std::size_t size() const { return state_.size() / stride_; }
 
@@ -40,17 +42,19 @@ class BassetHistory {
   [[nodiscard]] double weight() const { return weight_; }
   /// The rest of the bracket at the end of the step that is now under way [m/s^1.5].
   [[nodiscard]] Vec3 memory(std::size_t i) const;
-  /// Tells the slip of sphere i at the end of the step [m/s].
+  /// Takes in the slip of sphere i at the end of the step [m/s].
   void advance(std::size_t i, Vec3 slip);
   /// After advance() of all spheres.
   void end_step() { newest_ = newest_ == 0 ? window_ - 1 : newest_ - 1; }
 
-  /// All that the next step depends on, for checkpoints.
+  /// All that the next step depends on, for checkpoints: of every sphere its changes of the slip [m/s], modes and age
+  /// in steps one after the other; and where the newest change stands.
   struct State {
     std::vector<double> spheres;
     std::size_t newest = 0;
   };
   [[nodiscard]] State state() const { return {state_, newest_}; }
+  /// \throws std::invalid_argument if the state is that of another window
   void restore(State state);
 
   /// The exponentials' stand-in for 1/√age [1/√s], for age ≥ window Δt.
@@ -64,7 +68,7 @@ class BassetHistory {
 
   double time_step_, weight_;
   std::size_t window_, stride_, newest_ = 0;  ///< stride_: three axes and the age in steps
-  std::vector<double> kernel_;  ///< of the ring, twice over so that it can be read from any place [1/√s]
+  std::vector<double> kernel_;  ///< of the ring, twice over so that it can be read from any entry [1/√s]
   std::array<double, modes> rate_, tail_weight_;  ///< s_j [1/s], a_j [1/√s]: 1/√age ≈ Σ a_j e^(−s_j age)
   std::array<double, modes> decay_, entry_;       ///< over a step; of a change that leaves the ring
   std::vector<double> state_;

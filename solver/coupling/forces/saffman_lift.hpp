@@ -13,7 +13,7 @@ namespace slfb::coupling {
 /// A sphere that lags the liquid along the flow is driven towards the faster liquid, one that leads towards the slower.
 /// Key: saffman1965. Range: Re = ρ d w/μ ≪ √Re_ω ≪ 1 with Re_ω = ρ d² |ω|/μ, far from walls.
 /// \param slip w = u − v of undisturbed liquid against sphere [m/s]
-/// \param vorticity ω = ∇ × u of the undisturbed liquid [1/s]
+/// \param vorticity ω = ∇ × u of the undisturbed liquid [1/s]; \param diameter d [m]
 inline Vec3 saffman_lift(Vec3 slip, Vec3 vorticity, double diameter, LiquidProperties liquid) {
   const double shear = norm(vorticity);
   if (shear == 0.0) return {};
@@ -32,7 +32,7 @@ inline double mei_lift_ratio(double reynolds, double shear_reynolds) {
   return (1.0 - 0.3314 * root) * std::exp(-0.1 * reynolds) + 0.3314 * root;
 }
 
-/// Saffman's lift times mei_lift_ratio() [N]; arguments of saffman_lift().
+/// Saffman's lift times mei_lift_ratio() [N]; arguments of saffman_lift(); no lift without slip.
 inline Vec3 mei_lift(Vec3 slip, Vec3 vorticity, double diameter, LiquidProperties liquid) {
   const double reynolds = reynolds_number(liquid, diameter, norm(slip));
   if (reynolds <= 0.0) return {};
