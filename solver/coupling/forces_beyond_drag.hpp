@@ -33,14 +33,17 @@ class ForcesBeyondDrag {
     return coupling_.saffman_lift || coupling_.magnus_lift || coupling_.added_mass > 0.0;
   }
 
-  /// Makes room for new spheres, which start from their present slip, and tells the spheres their added mass.
+  /// Takes in the velocity of the liquid at each sphere [m/s] before the step, sets the spheres' added mass [kg] and
+  /// makes room for new spheres, which start from their present slip.
   void start_step(dem::Particles& particles, const std::array<std::vector<double>, 3>& liquid_velocity);
+  /// Sphere i has been taken out; those after it move up by one.
   void remove(std::size_t i);
 
-  /// What the liquid is at one sphere.
+  /// The undisturbed liquid around one sphere.
   struct Surroundings {
     Vec3 velocity;                   ///< [m/s]
     std::array<Vec3, 3> gradient{};  ///< ∇u_a per component [1/s]
+    /// ∇ × u [1/s].
     [[nodiscard]] Vec3 vorticity() const {
       return {gradient[2].y - gradient[1].z, gradient[0].z - gradient[2].x, gradient[1].x - gradient[0].y};
     }
@@ -50,6 +53,7 @@ class ForcesBeyondDrag {
     Vec3 reaction;             ///< on the liquid over the coming step [N]
     double coefficient = 0.0;  ///< of the part that is linear in the slip, beside the drag's K [kg/s]
   };
+  /// On sphere i over the coming step, by the laws in forces/.
   [[nodiscard]] Effect effect(const dem::Particles& particles, std::size_t i, const Surroundings& liquid) const;
   /// Change of the angular velocity over the coming step by the liquid's torque, implicit in it [rad/s].
   [[nodiscard]] Vec3 change_of_angular_velocity(const dem::Particles& particles, std::size_t i,
@@ -57,7 +61,8 @@ class ForcesBeyondDrag {
 
   /// Velocity that the sphere's own force has given to the liquid it reads [m/s].
   [[nodiscard]] Vec3 self_induced(std::size_t i) const { return self_induced_[i]; }
-  /// After the step: the force of sphere i on the liquid acts on what it will read.
+  /// After the step: the force of sphere i on the liquid [N] acts on the velocity that it will read.
+  /// \param concentration Σ φ²/V_c of its shares [1/m³]; \param voidage [-] and \param slip [m/s] at the sphere
   void disturb(std::size_t i, Vec3 force_on_liquid, double concentration, double voidage, double slip);
 
   /// All that the next step depends on, for checkpoints: self_induced_x and so on, liquid_velocity_x, sphere_velocity_x

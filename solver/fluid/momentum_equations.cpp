@@ -76,6 +76,7 @@ void MomentumEquations::start_step(double time_step, const std::vector<double>& 
   // ∂f/∂t at the end of the step = at_now f^(n+1) − at_before f^n + at_earlier f^(n−1).
   const double at_now = (second_order ? 1.5 : 1.0) / time_step, at_before = (second_order ? 2.0 : 1.0) / time_step,
                at_earlier = 0.5 / time_step;
+  // Equation (26): ∂V_L/∂t of each cell
 #pragma omp parallel for num_threads(threads_) schedule(static)
   for (std::size_t i = 0; i < volume_change_.size(); ++i) {
     volume_change_[i] = at_now * now[i] - at_before * before[i];
@@ -90,7 +91,7 @@ void MomentumEquations::start_step(double time_step, const std::vector<double>& 
     c.scatter(own, now, c.liquid_now);
     if (second_order) c.scatter(own, earlier_volume_, c.liquid_earlier);
     const std::size_t first = index_of(own.first, 0, c.levels), end = index_of(own.last, 0, c.levels);
-    {
+    {  // α, and of Equation (27) ∂(α ρ u)/∂t: inertia ρ V_L/Δt and the velocity before
       const double *volume = c.volume.data(), *liquid_now = c.liquid_now.data(), *liquid = c.liquid_before.data(),
                    *velocity = c.velocity.data();
       double *fraction = c.fraction.data(), *inertia = c.inertia.data(), *old_inertia = c.old_inertia.data(),
@@ -171,7 +172,7 @@ void MomentumEquations::assemble(std::size_t a, SectionRange own, const Exchange
   const double density = density_, viscosity = viscosity_;
   const double* velocity = c.velocity.data();
   const std::size_t own_nodes = index_of(own.first, 0, levels), end_of_own_nodes = index_of(own.last, 0, levels);
-  {
+  {  // Equation (27): ∂(α ρ u)/∂t, the drag of Equations (28) and (35), −α ∇p + α ∇·τ as it is before the solution
     const double *inertia = c.old_inertia.data(), *coefficient = exchange.coefficient[a].data(),
                  *source = exchange.source[a].data(), *previous = c.previous.data(), *stressed = c.stressed.data(),
                  *viscous = c.viscous.data(), *gradient = c.pressure_gradient.data();
@@ -192,17 +193,19 @@ void MomentumEquations::assemble(std::size_t a, SectionRange own, const Exchange
     const double* liquid = &c.stressed[start];
     double* rhs = own.has(s) ? &c.right_hand_side[start] : scratch.right_hand_side.data();
     double* diagonal = own.has(s) ? &c.diagonal[start] : scratch.diagonal.data();
+    // Equation (21): α μ ∇²u, the node's own part
     const double stress = viscosity_ * c.own[as_index(s)];
     if (own.has(s)) {
 #pragma omp simd
       for (int k = first; k <= last; ++k) diagonal[k] += stress * liquid[k];
     }
 
+    // Equations (27), (21): ∇·(α ρ u u) and α μ ∇²u through the links along x and y
     for (std::size_t axis : {std::size_t{0}, std::size_t{1}}) {
       const std::size_t minus = 2 * axis, plus = minus + 1;
       const int t = c.neighbour[as_index(s)][plus];
       if (t < 0 || !(own.has(s) || own.has(t))) continue;
-      // Beyond the two nodes of the link: the next node, or the wall's stand-in for it.
+      // Beyond the two nodes of the link: the next node, or the value that the wall puts in its place.
       const int before = c.neighbour[as_index(s)][minus], after = c.neighbour[as_index(t)][plus];
       const std::size_t start_t = index_of(t, 0, levels);
       const double* u_t = velocity + start_t;
@@ -235,6 +238,7 @@ void MomentumEquations::assemble(std::size_t a, SectionRange own, const Exchange
     }
 
     if (!own.has(s)) continue;
+    // The same along z
     const double* flux = &c.flux[2][start];
     double *to_below = &c.coefficient[4][start], *to_above = &c.coefficient[5][start];
 #pragma omp simd
@@ -270,7 +274,7 @@ void MomentumEquations::assemble(std::size_t a, SectionRange own, const Exchange
     rhs[c.first] += from_below * (a == vertical ? u[0] : c.end[0][as_index(s)]);
     if (a != vertical) rhs[c.last] += from_above * c.end[1][as_index(s)];
   }
-  {
+  {  // The diagonal is the sum of all weights, of the links along z last
     const double *to_below = c.coefficient[4].data(), *to_above = c.coefficient[5].data();
     double *diagonal = c.diagonal.data(), *inverse = c.inverse_diagonal.data();
 #pragma omp simd
@@ -281,6 +285,7 @@ void MomentumEquations::assemble(std::size_t a, SectionRange own, const Exchange
   }
 }
 
+/// Equation (27) at the present pressure: flows, ∇·τ, equations, sweeps.
 void MomentumEquations::solve(const Exchange& exchange) {
   settled_flow_ ? start_flows() : update_flows();
   start_viscous();
