@@ -114,16 +114,17 @@ NamedFields ForcesBeyondDrag::state() const {
 
 void ForcesBeyondDrag::restore(const NamedFields& state) {
   const auto read = [&](const std::string& name, std::vector<Vec3>& vectors) {
-    const auto &x = field_of(state, name + "_x"), &y = field_of(state, name + "_y"), &z = field_of(state, name + "_z");
+    const auto& x = field_of(state, name + "_x");
+    const auto &y = field_of(state, name + "_y", x.size()), &z = field_of(state, name + "_z", x.size());
     vectors.clear();
-    for (std::size_t i = 0; i < x.size(); ++i) vectors.push_back({x[i], y.at(i), z.at(i)});
+    for (std::size_t i = 0; i < x.size(); ++i) vectors.push_back({x[i], y[i], z[i]});
   };
   read("self_induced", self_induced_);
   read("liquid_velocity", liquid_now_);
   read("sphere_velocity", sphere_now_);
   if (history_)
     history_->restore(
-        {field_of(state, "basset_history"), static_cast<std::size_t>(field_of(state, "basset_newest").at(0))});
+        {field_of(state, "basset_history"), static_cast<std::size_t>(field_of(state, "basset_newest", 1)[0])});
 }
 
 }  // namespace slfb::coupling

@@ -120,14 +120,16 @@ NamedFields LiquidVolumes::state() const {
 
 void LiquidVolumes::restore(const NamedFields& state, const std::vector<double>& radius) {
   before_ = field_of(state, "liquid_volume");
+  const std::size_t cells = grid_.size(), spheres = radius.size();
+  if (!before_.empty()) before_ = field_of(state, "liquid_volume", cells);
   if (!state.contains("interval/steps")) return;
-  const auto& steps = field_of(state, "interval/steps");
-  steps_ = static_cast<int>(steps.at(0));
-  steps_done_ = static_cast<int>(steps.at(1));
-  at_start_ = field_of(state, "interval/liquid_at_start");
-  at_end_ = field_of(state, "interval/liquid_at_end");
-  centres_ = {field_of(state, "interval/centre_x"), field_of(state, "interval/centre_y"),
-              field_of(state, "interval/centre_z")};
+  const auto& steps = field_of(state, "interval/steps", 2);
+  steps_ = static_cast<int>(steps[0]);
+  steps_done_ = static_cast<int>(steps[1]);
+  at_start_ = field_of(state, "interval/liquid_at_start", cells);
+  at_end_ = field_of(state, "interval/liquid_at_end", cells);
+  centres_ = {field_of(state, "interval/centre_x", spheres), field_of(state, "interval/centre_y", spheres),
+              field_of(state, "interval/centre_z", spheres)};
   shares_.update(centres_, radius, 1);
 }
 

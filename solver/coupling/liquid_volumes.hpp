@@ -41,7 +41,7 @@ class LiquidVolumes {
   /// liquid_volume per cell [m³]; of an interval that is under way interval/steps (all, done), interval/liquid_at_start
   /// and _at_end per cell [m³], and interval/centre_x and so on per sphere [m].
   [[nodiscard]] NamedFields state() const;
-  /// \throws std::runtime_error if a field is missing
+  /// \throws std::runtime_error if a field is missing or has another length
   void restore(const NamedFields& state, const std::vector<double>& radius);
 
  private:

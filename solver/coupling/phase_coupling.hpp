@@ -71,6 +71,7 @@ class PhaseCoupling {
   /// forces_beyond_drag/... of ForcesBeyondDrag.
   [[nodiscard]] NamedFields state() const;
   /// Continues from a state() with the spheres of the same moment. \throws std::runtime_error if a field is missing
+  /// or has another length
   void restore(const NamedFields& state, const dem::Particles& particles);
 
  private:

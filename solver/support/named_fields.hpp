@@ -22,6 +22,14 @@ inline const std::vector<double>& field_of(const NamedFields& fields, const std:
   return found->second;
 }
 
+/// The same, which must have that many values. \throws std::runtime_error if it has not
+inline const std::vector<double>& field_of(const NamedFields& fields, const std::string& name, std::size_t length) {
+  const std::vector<double>& field = field_of(fields, name);
+  if (field.size() == length) return field;
+  throw std::runtime_error(
+      fmt::format("the field \"{}\" of the state has {} values instead of {}", name, field.size(), length));
+}
+
 /// Adds the fields of a part as "part/name".
 inline void add_part(NamedFields& fields, std::string_view part, NamedFields of_part) {
   for (auto& [name, values] : of_part) fields[fmt::format("{}/{}", part, name)] = std::move(values);

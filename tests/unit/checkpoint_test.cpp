@@ -107,6 +107,24 @@ TEST_F(CheckpointTest, AWrongLengthIsNamed) {
   expect_failure(scene, {"spheres/memory", "integrator", "values instead of"});
 }
 
+// Also within an interval of the void fraction, and of what the forces beyond drag remember.
+TEST_F(CheckpointTest, TheCouplingTakesNoFieldThatIsAValueShort) {
+  Scene scene = two_spheres();
+  scene.coupling.void_fraction_interval = 3e-3;
+  scene.coupling.basset_history = true;
+  Model model(scene, 1);
+  model.fill();
+  for (int k = 0; k < 3; ++k) model.advance(false);
+  const NamedFields state = model.coupling().state();
+  ASSERT_TRUE(state.contains("interval/centre_x"));
+  EXPECT_NO_THROW(model.coupling().restore(state, model.particles()));
+  for (const auto& [name, values] : state) {
+    NamedFields shortened = state;
+    shortened[name].pop_back();
+    EXPECT_ANY_THROW(model.coupling().restore(shortened, model.particles())) << name;
+  }
+}
+
 TEST_F(CheckpointTest, OneOfAnotherVersionIsSaidToBeSo) {
   io::write_atomically(folder_.path() / "checkpoint.h5", [](io::Hdf5File& target) {
     target.write_attribute("/", "scene_hash", std::string("a scene"));
