@@ -68,7 +68,8 @@ Section range_section(const std::vector<RangeNotes>& notes) {
       html += fmt::format("<li><b>{}</b>: {}</li>\n", escape_html(note.law), prose_html(sentence));
   return {"ranges", "Outside their ranges",
           html.empty() ? "<p>No law is used outside the range that it states for itself.</p>\n"
-                       : "<p>A law answers outside its range too; what it says there is nobody's claim.</p>\n<ul>\n" +
+                       : "<p>A law gives a number outside its range too, but its source does not claim that it holds "
+                         "there.</p>\n<ul>\n" +
                              html + "</ul>\n"};
 }
 

@@ -83,8 +83,8 @@ std::vector<Section> contact_sections(const std::vector<ComparedContactLaw>& law
       property_section(
           names_of(laws), properties,
           fmt::format("Looked for in collisions of {0} on {0}, {1} on {0} and {0} on a wall, from 0.01 to 1 "
-                      "m/s, at angles up to 85 degrees. A law that lacks one is not useless, but it is used with open "
-                      "eyes.",
+                      "m/s, at angles up to 85 degrees. A law that lacks one of them can still be useful; know "
+                      "which one it lacks.",
                       bed.bed.material, bed.foreign.material))};
   if (!of_bed.empty())
     sections.push_back(

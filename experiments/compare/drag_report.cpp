@@ -118,8 +118,8 @@ std::vector<Section> drag_sections(const std::vector<ComparedDragLaw>& laws, con
           {"surfaces", "Beside the literature", surfaces},
           ratio_section(laws),
           property_section(names_of(laws), properties,
-                           "Looked for on a grid in the range that the law states for itself. A law that lacks one is "
-                           "not useless, but it is used with open eyes."),
+                           "Looked for on a grid in the range that the law states for itself. A law that lacks one of "
+                           "them can still be useful; know which one it lacks."),
           bed_section(laws, findings, bed, bed_pictures)};
 }
 
