@@ -23,13 +23,13 @@ struct ContactLawKernels {
   NormalContact (*normal)(const Contact& contact, bool at_wall, double overlap, double approach,
                           double root_effective_mass, double effective_radius);
 
-  /// ∂F_n/∂δ of the elastic part [N/m].
+  /// ∂F_n/∂δ of the elastic part [N/m]. `overlap` δ [m], `effective_radius` r_i r_j/(r_i + r_j), at a wall r_i [m].
   [[nodiscard]] double stiffness(const Contact& contact, bool at_wall, double overlap, double effective_radius) const {
     return normal(contact, at_wall, overlap, 0.0, 1.0, effective_radius).stiffness;
   }
 };
 
-/// Which of ContactLawKernels::compute a scene needs.
+/// Index of the rolling resistance of a scene in ContactLawKernels::compute.
 inline std::size_t rolling_index(const Contact& contact) {
   if (contact.rolling_friction == 0.0) return 0;
   return contact.rolling_model == RollingModel::constant_torque ? 1 : 2;

@@ -8,7 +8,7 @@
 #include "solver/dem/contact_batch.hpp"
 #include "solver/dem/engine.hpp"
 
-/// What the parts of the engine share and nobody else sees.
+/// Structs that the four source files of the engine share; for no other file.
 namespace slfb::dem {
 
 /// Spheres whose contacts are computed together: some hundred contacts, which fit the first cache.

@@ -26,7 +26,7 @@ namespace slfb::dem {
   return std::copysign(steps_per_second, approach) * ((rising < late ? rising : late) - way);
 }
 
-/// What a normal law tells the tangential ones about a touching pair.
+/// Result of a normal law for a touching pair, which friction and rolling resistance go on from.
 struct NormalContact {
   double force;                 ///< compressive positive [N]
   double load;                  ///< the same without dashpot_end_correction(): what friction goes by [N]

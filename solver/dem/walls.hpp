@@ -23,10 +23,9 @@ struct Wall {
     return direction * (coordinate - position) >= r;
   }
 
-  /// Distance from the wall to a point inside, and the unit vector from the point towards the wall.
   struct Gap {
-    double distance;
-    Vec3 outward;
+    double distance;  ///< from the wall to a point inside, negative outside [m]
+    Vec3 outward;     ///< unit vector from the point towards the wall
   };
   [[nodiscard]] Gap gap(Vec3 point) const {
     if (kind == Kind::cylinder) {
@@ -41,7 +40,8 @@ struct Wall {
   }
 };
 
-/// Distributor first, then the sides, then the lid if the scene has one. Boxes stand around the z axis.
+/// Walls of a scene: the distributor z = 0 first, then the sides (none of a periodic box), then the lid if the scene
+/// has one. The z axis is the middle of the column.
 inline std::vector<Wall> walls_of(const Scene& scene) {
   std::vector<Wall> walls{{Wall::Kind::plane, 2, 1.0, 0.0}};
   const Geometry& geometry = scene.geometry;

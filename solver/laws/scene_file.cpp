@@ -51,7 +51,9 @@ std::string stiffness_keys() {
 
 void check_contact(const Scene& scene, Problems& problems) {
   const Contact& contact = scene.contact;
-  const auto wrong_law = [&](const std::string& message) { problems.add("contact.law", in_quotes(contact.law), message); };
+  const auto wrong_law = [&](const std::string& message) {
+    problems.add("contact.law", in_quotes(contact.law), message);
+  };
   std::string_view stiffness_key;
   try {
     stiffness_key = find_contact_law(contact.law).info.stiffness_key;

@@ -25,7 +25,7 @@ bool is_user_law(std::string_view name);
 std::string user_law_hash(const std::filesystem::path& file);
 
 /// The law of that name, or of that file, which is compiled once per content ($CXX replaces the suite's compiler).
-/// \throws UserLawError, and std::invalid_argument listing the known names
+/// Throws UserLawError for a file that is no law, and std::invalid_argument with the known names for another name.
 drag::DragLawKernels find_drag_law(const std::string& name_or_file);
 dem::ContactLawKernels find_contact_law(const std::string& name_or_file);
 

@@ -81,13 +81,13 @@ void apply_override(toml::table& root, const Override& change) {
       throw fail(fmt::format("\"{}\" is not a table; allowed is a path such as stage[2].duration", key));
   }
   const std::string& key = change.segments.back().key;
-  // An override speaks for the whole choice: count replaces total_mass and the other way round.
+  // Either of the two keys replaces the other.
   if (key == "count") table->erase("total_mass");
   if (key == "total_mass") table->erase("count");
   insert_value(*table, key, change.value);
 }
 
-/// What the file says of another contact law than the one that an override names goes.
+/// Removes the keys of [contact] that the law of an override does not take.
 void forget_other_contact_law(toml::table& root, const std::vector<Override>& changes, const SceneLaws& laws) {
   toml::table* contact = root["contact"].as_table();
   const auto change = std::find_if(changes.rbegin(), changes.rend(),

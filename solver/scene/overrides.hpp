@@ -28,9 +28,8 @@ struct Override {
 /// Throws SceneError for a text that is not key=value with a dotted path.
 std::vector<Override> split_overrides(const std::vector<std::string>& texts);
 
-/// Puts the values into the parsed file. An override of contact.law, count or total_mass speaks for the whole choice:
-/// what the file says of another contact law, of total_mass or of count goes. Throws SceneError for a path that the
-/// scene does not have.
+/// Puts the values into the parsed file. An override of contact.law removes the keys of the file that the law does not
+/// take; count removes total_mass, and the other way round. Throws SceneError for a path that the scene does not have.
 void apply_overrides(toml::table& root, const std::vector<Override>& changes, const SceneLaws& laws);
 
 }  // namespace slfb::description

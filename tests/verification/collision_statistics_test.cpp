@@ -197,7 +197,7 @@ TEST(SingleCollision, IsOneEpisodeWhateverTheList) {
 }
 
 // The list numbers its spheres anew between the end of the collision and its telling.
-TEST(SingleCollision, IsToldOfTheRightSpheres) {
+TEST(SingleCollision, IsRecordedForTheRightSpheres) {
   Engine engine = make_engine(linear(0.9, 50), {}, {0, 0, 0}, 1);
   engine.collect_collisions(true);
   const std::size_t mover = engine.add_particle({0, 0, -20 * radius}, radius, density, 0);
