@@ -30,13 +30,13 @@ using plan::Decision;
 using plan::Plan;
 
 constexpr const char* examples = R"(Examples:
-  slfb plan experiments/peng_2014/scenes/6in5W.toml                          what the usual questions need: V_2 and voidage
-  slfb plan experiments/peng_2014/scenes/6in5W_one-dimensional.toml --for collision_frequency   one dimension is enough
-  slfb plan experiments/peng_2014/scenes/6in5W.toml --for minimum_fluidisation_velocity    a root, nothing to simulate
+  slfb plan experiments/scenes/fluidised_box.toml                  what the usual questions need: voidage, pressure drop
+  slfb plan experiments/numerics/studies/scenes/slice.toml --for collision_frequency   one dimension is enough
+  slfb plan scene.toml --for minimum_fluidisation_velocity         a root, nothing to simulate
   slfb plan experiments/scenes/single_sphere.toml                  terminal velocity by an ODE, with the answer
-  slfb plan scene.toml --for voidage --keep-forces                 of a paper that leaves added mass out: steps and grid only
+  slfb plan scene.toml --for voidage --keep-forces                 of a work that leaves added mass out: steps and grid only
   slfb plan scene.toml --for voidage --verify                      run the richer choices and compare
-  slfb plan --figures                                              the cheapest rung for each figure of the paper
+  slfb plan --figures                                              the cheapest model for each figure of a work
   slfb run scene.toml --plan auto                                  simulate as planned
 
 Quantities: terminal_velocity, minimum_fluidisation_velocity, voidage, pressure_drop, classification_velocity (V_2),
@@ -195,7 +195,7 @@ void print_plan(const Options& options, const Scene& scene, const Plan& made) {
       fmt::print("    richer    {}: {} of CPU instead of {}\n", d.richer, format_duration(d.richer_core_seconds),
                  made.by_formula ? "milliseconds" : format_duration(made.core_seconds));
   }
-  if (options.keep_forces) fmt::print("{:<20} as the scene has them\n", "further forces");
+  if (options.keep_forces) fmt::print("{:<20} as the scene has them\n", "forces beyond drag");
   fmt::print("\nestimated error (band)  ");
   std::vector<std::string> parts;
   for (const std::string& quantity : made.asked)
@@ -219,7 +219,7 @@ void print_plan(const Options& options, const Scene& scene, const Plan& made) {
 
 int run(const Options& options) {
   if (options.figures) {
-    fmt::print("{}", plan::figure_plans_text(plan::figure_plans()));
+    fmt::print("{}", plan::figure_plans_text(figure_plans()));
     return 0;
   }
   if (options.scene.empty()) throw std::invalid_argument("a scene is needed, or --figures");
@@ -275,8 +275,7 @@ void add_plan_command(CLI::App& app) {
   command->add_flag("--keep-forces", options->keep_forces,
                     "Leave added mass, lift, history, lubrication and correction as the scene has them");
   command->add_flag("--verify", options->verify, "Run each richer choice and compare with the bands");
-  command->add_flag("--figures", options->figures,
-                    "Instead of a scene: the cheapest rung for each figure of the paper");
+  command->add_flag("--figures", options->figures, "Instead of a scene: the cheapest model for each figure of a work");
   command->add_flag("--json", options->json, "Write the plan as JSON");
   command->add_option("--out", options->out, "Folder of runs/, for --verify")->capture_default_str();
   command->add_option("--jobs", options->jobs, "Simulations side by side, for --verify")

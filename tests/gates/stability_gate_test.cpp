@@ -309,7 +309,7 @@ TEST(PlanGate, ProfileQuickIsPlanned) {
 
 // Each figure of the paper that is simulated has a plan.
 TEST(PlanGate, EveryFigureIsPlanned) {
-  const auto plans = plan::figure_plans();
+  const auto plans = figure_plans();
   for (const Figure& figure : figures()) {
     if (figure.needs(load_profile("full")).empty() || figure.id.starts_with("drag-law")) continue;
     EXPECT_TRUE(std::ranges::any_of(plans, [&](const auto& one) { return one.figure == figure.id; })) << figure.id;

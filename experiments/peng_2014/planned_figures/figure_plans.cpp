@@ -1,145 +1,42 @@
 #include "experiments/peng_2014/planned_figures/figure_plans.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
-#include <numbers>
 #include <stdexcept>
 #include <string_view>
 
-#include "experiments/numerics/plan/plan.hpp"
 #include "experiments/runs/measure.hpp"
-#include "experiments/runs/run_estimate.hpp"
 #include "solver/support/folders.hpp"
-#include "solver/support/toml_table.hpp"
 
-namespace slfb::plan {
-namespace {
+namespace slfb {
 
-namespace fs = std::filesystem;
-
-fs::path experiments() { return source_folder() / "experiments"; }
-
-double per_simulated_second(const Scene& scene) {
-  const RunEstimate estimate = estimate_run(scene);
-  return estimate.core_seconds / estimate.simulated_seconds;
-}
-
-double steps_per_contact(const Scene& scene) {
-  return std::numbers::pi * contact_time_step_bound(scene) / scene.contact.time_step;
-}
-
-std::string tier_text(FluidTier tier) {
-  switch (tier) {
-    case FluidTier::quiescent:
-      return "still liquid";
-    case FluidTier::one_dimensional:
-      return "1-D liquid";
-    case FluidTier::three_dimensional:
-      return "3-D liquid";
-  }
-  return "";
-}
-
-std::string steps_text(const Scene& scene) {
-  return fmt::format("{:.0e} N/m, {:.2g}/{:.2g} ms", scene.contact.stiffness, 1e3 * scene.contact.time_step,
-                     1e3 * scene.fluid.time_step);
-}
-
-/// In which of tier, stiffness and steps a scene is coarser or richer than the planned one. Steps may differ by an
-/// eighth: they are rounded to divisors of each other.
-std::string compared(const Scene& scene, const Scene& planned) {
-  std::vector<std::string> coarser, richer;
-  const auto compare = [&](const char* what, double own, double wanted, double tolerance) {
-    if (own < wanted * (1.0 - tolerance)) coarser.emplace_back(what);
-    if (own > wanted * (1.0 + tolerance)) richer.emplace_back(what);
-  };
-  compare("tier", static_cast<int>(scene.fluid.tier), static_cast<int>(planned.fluid.tier), 0.0);
-  if (planned.fluid.tier == FluidTier::three_dimensional && scene.fluid.tier == planned.fluid.tier)
-    compare("cells", 1.0 / scene.fluid.cell_height, 1.0 / planned.fluid.cell_height, 0.02);
-  compare("stiffness", scene.contact.stiffness, planned.contact.stiffness, 1e-9);
-  compare("solid step", steps_per_contact(scene), steps_per_contact(planned), 0.125);
-  compare("liquid step", 1.0 / scene.fluid.time_step, 1.0 / planned.fluid.time_step, 0.125);
-  std::string text;
-  if (!coarser.empty()) text = fmt::format("coarser: {}", fmt::join(coarser, ", "));
-  if (!richer.empty()) text += fmt::format("{}richer: {}", text.empty() ? "" : "; ", fmt::join(richer, ", "));
-  return text.empty() ? "as planned" : text;
-}
-
-}  // namespace
-
-std::vector<FigurePlan> figure_plans() {
-  const auto file = experiments() / "peng_2014" / "planned_figures" / "figures.toml";
-  const toml::table parsed = parse_toml_file(file);
-  TomlTable table(parsed, file.string());
-  const Rules rules = load_rules();
-  std::vector<FigurePlan> plans;
-  for (TomlTable& one : table.tables("figure")) {
-    FigurePlan entry;
-    entry.figure = one.text("id");
-    entry.asked = one.texts("asked");
-    const auto overrides = one.texts("scene");
-    const std::string key = one.text("run");
-    const bool fields = one.flag("fields");
-    one.reject_others();
-    const Scene scene = load_scene(experiments() / "peng_2014" / "scenes" / "6in5W.toml", overrides);
-    const Plan made = make_plan(scene, entry.asked, rules, Forces::of_the_scene);
-    for (const std::string& quantity : entry.asked) {
-      const auto effect = made.effect.find(quantity);
-      const double share = effect == made.effect.end() ? 0.0 : effect->second / made.band.at(quantity);
-      if (entry.worst.empty() || share > entry.error_over_band) {
-        entry.error_over_band = share;
-        entry.worst = quantity;
-      }
-    }
-    Scene planned = changed(scene, made.overrides);
-    // What draws the liquid's fields needs them.
-    if (fields) planned.fluid.tier = FluidTier::three_dimensional;
-    entry.by_formula = made.by_formula && !fields;
-    entry.tier = entry.by_formula ? "root of the law" : tier_text(planned.fluid.tier);
-    entry.steps = entry.by_formula ? "" : steps_text(planned);
-    entry.core_seconds = entry.by_formula ? 0.0 : per_simulated_second(planned);
-    entry.paper_core_seconds =
-        per_simulated_second(load_scene(experiments() / "peng_2014" / "scenes" / "6in5W_paper-literal.toml", [&] {
-          auto with = overrides;
-          with.emplace_back("contact.allow_large_time_step=true");
-          return with;
-        }()));
+std::vector<plan::FigurePlan> figure_plans() {
+  const auto folder = source_folder() / "experiments" / "peng_2014";
+  const auto file = folder / "planned_figures" / "figures.toml";
+  const plan::Rules rules = plan::load_rules();
+  std::vector<plan::FigurePlan> plans;
+  for (const plan::FigureQuestion& question : plan::load_questions(file)) {
+    const Scene scene = load_scene(folder / "scenes" / "6in5W.toml", question.scene);
+    auto published = question.scene;
+    published.emplace_back("contact.allow_large_time_step=true");
+    const Scene as_published = load_scene(folder / "scenes" / "6in5W_paper-literal.toml", published);
     // Contacts are counted in runs with the scene's own springs.
-    const bool counts_contacts = std::ranges::any_of(entry.asked, [](const std::string& quantity) {
-      return quantity == "contacts" || quantity == "collision_frequency" || quantity == "peak_force";
-    });
+    const std::size_t before = plans.size();
     for (const char* name : {"springs", "quick", "full"}) {
-      if (!counts_contacts && std::string_view(name) == "springs") continue;
+      if (!plan::counts_contacts(question) && std::string_view(name) == "springs") continue;
       const Profile profile = load_profile(name);
-      const auto spec = std::ranges::find_if(profile.runs, [&](const RunSpec& run) { return run_key(run) == key; });
+      const auto spec =
+          std::ranges::find_if(profile.runs, [&](const RunSpec& run) { return run_key(run) == question.run; });
       if (spec == profile.runs.end()) continue;
-      const Scene simulated = load_scene(experiments() / "peng_2014" / "scenes" / spec->scene, spec->overrides);
-      entry.profile = name;
-      entry.profile_core_seconds = per_simulated_second(simulated);
-      entry.agreement = entry.by_formula ? "richer: simulated" : compared(simulated, planned);
+      const Scene simulated = load_scene(folder / "scenes" / spec->scene, spec->overrides);
+      plans.push_back(plan::plan_figure(question, scene, as_published, simulated, name, rules));
       break;
     }
-    if (entry.profile.empty())
-      throw std::runtime_error(fmt::format("{}: no profile has the run {}", file.string(), key));
-    plans.push_back(std::move(entry));
+    if (plans.size() == before)
+      throw std::runtime_error(fmt::format("{}: no profile has the run {}", file.string(), question.run));
   }
-  table.reject_others();
   return plans;
 }
 
-std::string figure_plans_text(const std::vector<FigurePlan>& plans) {
-  std::string text = fmt::format(
-      "{:<17}{:<17}{:<26}{:>10}{:>10}{:>10}{:>10}  {}\n{:<17}{:<17}{:<26}{:>10}{:>10}{:>10}{:>10}  {}\n", "",
-      "cheapest rung", "springs, steps", "error", "planned", "paper's", "profile", "the profile's rung", "figure",
-      "that answers", "of solids/liquid", "of band", "CPU s/s", "CPU s/s", "CPU s/s", "beside it");
-  for (const FigurePlan& plan : plans)
-    text += fmt::format("{:<17}{:<17}{:<26}{:>10}{:>10}{:>10.3g}{:>10.3g}  {}: {}\n{:<17}  asked: {}\n", plan.figure,
-                        plan.tier, plan.steps, fmt::format("{:.0f} %", 100.0 * plan.error_over_band),
-                        plan.by_formula ? "ms" : fmt::format("{:.3g}", plan.core_seconds), plan.paper_core_seconds,
-                        plan.profile_core_seconds, plan.profile, plan.agreement, "", fmt::join(plan.asked, ", "));
-  return text;
-}
-
-}  // namespace slfb::plan
+}  // namespace slfb
