@@ -8,7 +8,6 @@
 
 #include <algorithm>
 #include <cstdlib>
-#include <fstream>
 #include <map>
 #include <mutex>
 #include <regex>
@@ -18,6 +17,7 @@
 
 #include "correlations/drag/drag_laws.hpp"
 #include "solver/dem/contact_laws.hpp"
+#include "solver/support/files.hpp"
 #include "solver/support/run_program.hpp"
 
 namespace slfb {
@@ -33,15 +33,16 @@ struct UserLawKind {
 /// The text of a file followed by that of each file beside it that it includes.
 void append_source(const fs::path& file, std::set<fs::path>& seen, std::string& text) {
   if (!seen.insert(fs::weakly_canonical(file)).second) return;
-  std::ifstream stream(file, std::ios::binary);
-  std::ostringstream own;
-  if (!fs::is_regular_file(file) || !(own << stream.rdbuf()))
+  std::string own;
+  try {
+    own = read_file(file);
+  } catch (const std::runtime_error&) {
     throw UserLawError(
         fmt::format("{}: cannot be read; needed is a C++ file as `slfb compare --template` prints one", file.string()));
-  text += own.str();
+  }
+  text += own;
   static const std::regex include(R"(#\s*include\s*"([^"]+)\")");
-  const std::string words = own.str();
-  for (std::sregex_iterator found(words.begin(), words.end(), include), end; found != end; ++found)
+  for (std::sregex_iterator found(own.begin(), own.end(), include), end; found != end; ++found)
     if (const fs::path beside = file.parent_path() / (*found)[1].str(); fs::exists(beside))
       append_source(beside, seen, text);
 }
