@@ -295,6 +295,43 @@ TEST(Liquid, ContinuesFromItsStateBitByBit) {
   }
 }
 
+// A section of a single cell needs no pressure equation, whatever the scene calls its tier.
+TEST(LiquidTiers, ASingleCellOfTheThreeDimensionalTierIsTheOneDimensionalOne) {
+  Scene scene = water_column(0.06);
+  scene.fluid.cells_across = 1;
+  const auto single_cell = fluid::make_liquid(scene);
+  scene.fluid.tier = FluidTier::one_dimensional;
+  fluid::OneDimensionalLiquid column(scene);
+  const auto volume = liquid_volumes(column.grid(), [](const Point& x) { return 0.5 + 2.0 * x[2]; });
+  const auto exchange = no_exchange(column);
+  for (fluid::Liquid* liquid : {single_cell.get(), static_cast<fluid::Liquid*>(&column)})
+    for (int k = 0; k < 3; ++k) liquid->advance(scene.fluid.time_step, volume, volume, exchange);
+  EXPECT_EQ(single_cell->cost().pressure_iterations, 0);
+  EXPECT_EQ(single_cell->pressure(), column.pressure());
+  EXPECT_EQ(single_cell->state(), column.state());
+}
+
+// Of a liquid whose velocity is given every sphere feels the same, and gives nothing back.
+TEST(LiquidTiers, APrescribedLiquidIsTheSameEverywhereAndTakesNothing) {
+  Scene scene = water_column(0.05);
+  scene.fluid.tier = FluidTier::quiescent;
+  const auto liquid = fluid::make_liquid(scene);
+  EXPECT_FALSE(liquid->two_way());
+  dem::Engine engine = make_engine(scene.contact, {}, {0, 0, 0}, 1);
+  engine.add_particle({0.0, 0.0, 0.01}, 0.0025, 2230, 0);
+  engine.add_particle({0.02, -0.01, 0.14}, 0.0025, 2230, 0);
+  coupling::PhaseCoupling exchange(scene, *liquid, find_drag_law(scene.coupling.drag_law));
+  exchange.advance(engine, scene.fluid.time_step);
+  for (std::size_t i = 0; i < 2; ++i) {
+    EXPECT_EQ(exchange.voidage(i), 1.0);
+    EXPECT_EQ(exchange.liquid_velocity(i, 2), 0.05);
+    EXPECT_EQ(exchange.drag_force(i, 2), exchange.drag_force(0, 2));
+    EXPECT_GT(exchange.drag_force(i, 2), 0.0);
+  }
+  EXPECT_EQ(exchange.drag_taken_from_liquid(2), 0.0);
+  EXPECT_TRUE(exchange.void_fraction().empty());
+}
+
 /// Spheres on a cubic lattice in the column.
 dem::Engine lattice(const Scene& scene, double spacing, double density) {
   dem::Engine engine = make_engine(scene.contact, {}, {0, 0, 0}, 1);
