@@ -2,202 +2,154 @@
 
 #include <fmt/format.h>
 #include <gsl/gsl_cdf.h>
-#include <toml++/toml.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <pugixml.hpp>
 #include <set>
 #include <sstream>
 #include <stdexcept>
 
-#include "experiments/reference/reference_data.hpp"
-#include "experiments/runs/measure.hpp"
+#include "experiments/quantities/analysis.hpp"
+#include "solver/support/toml_table.hpp"
 
 namespace slfb {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-/// One claim being read, with what an error message needs.
+/// One claim being read.
 class ClaimReader {
  public:
-  ClaimReader(const toml::table& table, const std::filesystem::path& file) : table_(table), file_(file) {
-    for (const auto& [key, node] : table_) {
-      static const std::set<std::string_view> known{
-          "id",      "figure", "quantity", "unit",    "source",     "equals", "at_most",    "at_least",
-          "between", "trend",  "states",   "measure", "paper_band", "reduce", "regression", "undecidable"};
-      if (!known.contains(key.str())) fail(node, fmt::format("unknown key \"{}\"", key.str()));
-    }
-  }
+  ClaimReader(TomlTable& table, const ReferenceNumbers& reference) : table_(table), reference_(reference) {}
 
   Claim read() {
     Claim claim;
-    claim.id = text(table_, "id");
-    claim.figure = text(table_, "figure");
-    claim.quantity = text(table_, "quantity");
-    claim.undecidable = text_or(table_, "undecidable", "");
+    claim.id = id_ = table_.text("id");
+    claim.figure = table_.text("figure");
+    claim.quantity = table_.text("quantity");
+    claim.undecidable = table_.text("undecidable", "");
     read_statement(claim);
-    claim.unit = text_or(table_, "unit", claim.unit);
-    claim.source = text_or(table_, "source", claim.source);
-    if (claim.unit.empty()) fail(table_, "\"unit\" is missing and no reference value gives one");
-    if (claim.source.empty()) fail(table_, "\"source\" is missing and no reference value gives one");
+    claim.unit = table_.text("unit", claim.unit);
+    claim.source = table_.text("source", claim.source);
+    if (claim.unit.empty()) throw problem("unit", "is missing and no reference value gives one");
+    if (claim.source.empty()) throw problem("source", "is missing and no reference value gives one");
     read_measures(claim);
     read_regression(claim);
+    table_.reject_others();
     return claim;
   }
 
  private:
-  [[noreturn]] void fail(const toml::node& node, const std::string& problem) const {
-    const auto id = table_["id"].value_or(std::string("?"));
-    throw std::runtime_error(fmt::format("{}:{}: claim {}: {}", file_.string(), node.source().begin.line, id, problem));
-  }
-
-  std::string text(const toml::table& table, std::string_view key) const {
-    const auto value = table[key].value<std::string>();
-    if (!value) fail(table, fmt::format("\"{}\" is missing or not a string", key));
-    return *value;
-  }
-
-  std::string text_or(const toml::table& table, std::string_view key, const std::string& otherwise) const {
-    return table.contains(key) ? text(table, key) : otherwise;
-  }
-
-  double number(const toml::table& table, std::string_view key) const {
-    const auto value = table[key].value<double>();
-    if (!value) fail(table, fmt::format("\"{}\" is missing or not a number", key));
-    return *value;
-  }
-
-  std::vector<std::string> texts(std::string_view key) const {
-    const toml::node& node = *table_.get(key);
-    if (const auto single = node.value<std::string>()) return {*single};
-    const toml::array* list = node.as_array();
-    if (list == nullptr || list->empty()) fail(node, fmt::format("\"{}\" is neither a string nor a list", key));
-    std::vector<std::string> values;
-    for (const toml::node& entry : *list) {
-      const auto value = entry.value<std::string>();
-      if (!value) fail(entry, fmt::format("\"{}\" holds something that is not a string", key));
-      values.push_back(*value);
-    }
-    return values;
-  }
-
-  MeasureKey key_of(const std::string& measure) const {
-    try {
-      return parse_measure_key(measure);
-    } catch (const std::invalid_argument& error) {
-      fail(*table_.get("measure"), error.what());
-    }
-  }
-
-  const ReferenceValue& reference(const std::string& id) const {
-    try {
-      return peng_2014().at(id);
-    } catch (const std::out_of_range& error) {
-      fail(table_, error.what());
-    }
+  [[nodiscard]] std::runtime_error problem(const std::string& key, const std::string& message) const {
+    return table_.problem(key, fmt::format("claim {}: {}", id_, message));
   }
 
   /// Relative or absolute half-width of a band around `value`.
-  double tolerance(const toml::table& band, double value) const {
-    if (band.contains("relative") == band.contains("absolute")) {
-      fail(band, "a band needs either \"relative\" or \"absolute\"");
-    }
-    const double width =
-        band.contains("relative") ? number(band, "relative") * std::abs(value) : number(band, "absolute");
-    if (!(width >= 0.0)) fail(band, "a band cannot be negative");
+  double tolerance(TomlTable& band, const std::string& key, double value) const {
+    if (band.has("relative") == band.has("absolute"))
+      throw problem(key, "a band needs either \"relative\" or \"absolute\"");
+    const double width = band.has("relative") ? band.number("relative") * std::abs(value) : band.number("absolute");
+    if (!(width >= 0.0)) throw problem(key, "a band cannot be negative");
     return width;
   }
 
-  void read_statement(Claim& claim) const {
-    static constexpr std::array<std::pair<std::string_view, StatementKind>, 4> kinds{{
-        {"equals", StatementKind::value},
-        {"at_most", StatementKind::at_most},
-        {"at_least", StatementKind::at_least},
-        {"between", StatementKind::between},
-    }};
-    const auto given =
-        std::count_if(kinds.begin(), kinds.end(), [&](const auto& kind) { return table_.contains(kind.first); }) +
-        (table_.contains("trend") ? 1 : 0) + (table_.contains("states") ? 1 : 0);
-    if (given != 1) fail(table_, "needs exactly one of equals, at_most, at_least, between, trend, states");
-    if (table_.contains("states")) {
-      claim.kind = StatementKind::words;
-      claim.words = text(table_, "states");
-      if (claim.undecidable.empty()) fail(table_, "words without a number need \"undecidable\"");
-      return;
+  [[nodiscard]] const ReferenceValue& reference(const std::string& key, const std::string& id) const {
+    try {
+      return reference_.at(id);
+    } catch (const std::out_of_range& error) {
+      throw problem(key, error.what());
     }
+  }
 
-    if (table_.contains("trend")) {
-      const std::string trend = text(table_, "trend");
-      if (trend != "increasing" && trend != "decreasing") fail(table_, "trend is \"increasing\" or \"decreasing\"");
-      claim.kind = trend == "increasing" ? StatementKind::increasing : StatementKind::decreasing;
-      if (table_.contains("paper_band")) fail(table_, "a trend has no paper_band");
-      return;
+  void read_statement(Claim& claim) {
+    static const std::map<std::string, StatementKind> kinds{
+        {"equals", StatementKind::value},      {"at_most", StatementKind::at_most},
+        {"at_least", StatementKind::at_least}, {"between", StatementKind::between},
+        {"trend", StatementKind::increasing},  {"states", StatementKind::words}};
+    std::vector<std::string> given;
+    for (const auto& [key, kind] : kinds)
+      if (table_.has(key)) given.push_back(key);
+    if (given.size() != 1)
+      throw problem("id", "needs exactly one of equals, at_most, at_least, between, trend, states");
+    const std::string& key = given.front();
+    claim.kind = kinds.at(key);
+    if (claim.kind == StatementKind::words) {
+      claim.words = table_.text(key);
+      if (claim.undecidable.empty()) throw problem(key, "words without a number need \"undecidable\"");
+    } else if (claim.kind == StatementKind::increasing) {
+      const std::string trend = table_.text(key);
+      if (trend != "increasing" && trend != "decreasing")
+        throw problem(key, "a trend is \"increasing\" or \"decreasing\"");
+      if (trend == "decreasing") claim.kind = StatementKind::decreasing;
+      if (table_.has("paper_band")) throw problem("paper_band", "a trend has none");
+    } else {
+      read_number(claim, key);
     }
-    const auto& [key, kind] =
-        *std::find_if(kinds.begin(), kinds.end(), [&](const auto& entry) { return table_.contains(entry.first); });
-    claim.kind = kind;
-    const auto ids = texts(key);
-    if (ids.size() != (kind == StatementKind::between ? 2u : 1u)) fail(table_, "wrong number of reference values");
-    const ReferenceValue& first = reference(ids.front());
-    const ReferenceValue& last = reference(ids.back());
+  }
+
+  void read_number(Claim& claim, const std::string& key) {
+    const auto ids = table_.text_or_texts(key);
+    if (ids.size() != (claim.kind == StatementKind::between ? 2u : 1u))
+      throw problem(key, "wrong number of reference values");
+    const ReferenceValue& first = reference(key, ids.front());
+    const ReferenceValue& last = reference(key, ids.back());
     claim.paper = first.value;
     claim.paper_upper = last.value;
     claim.unit = first.unit;
     claim.source = first.source;
 
-    const toml::table* band = table_["paper_band"].as_table();
-    if (band == nullptr) fail(table_, "\"paper_band\" is missing");
-    claim.band_reason = text(*band, "why");
-    const bool open_below = kind == StatementKind::at_most;
-    const bool open_above = kind == StatementKind::at_least;
-    claim.paper_band = Band{open_below ? -infinity : first.value - tolerance(*band, first.value),
-                            open_above ? infinity : last.value + tolerance(*band, last.value)};
+    TomlTable band = table_.table("paper_band");
+    claim.band_reason = band.text("why");
+    const double below = tolerance(band, "paper_band", first.value), above = tolerance(band, "paper_band", last.value);
+    band.reject_others();
+    claim.paper_band = Band{claim.kind == StatementKind::at_most ? -infinity : first.value - below,
+                            claim.kind == StatementKind::at_least ? infinity : last.value + above};
   }
 
-  void read_measures(Claim& claim) const {
-    static constexpr std::array<std::pair<std::string_view, Reduction>, 5> reductions{{
-        {"largest", Reduction::largest},
-        {"smallest", Reduction::smallest},
-        {"largest_magnitude", Reduction::largest_magnitude},
-        {"ratio", Reduction::ratio},
-        {"relative_spread", Reduction::relative_spread},
-    }};
-    if (table_.contains("measure")) {
-      for (const std::string& measure : texts("measure")) claim.measures.push_back(key_of(measure));
-    } else if (claim.undecidable.empty()) {
-      fail(table_, "\"measure\" is missing");
-    }
-    if (table_.contains("reduce")) {
-      const std::string name = text(table_, "reduce");
-      const auto found =
-          std::find_if(reductions.begin(), reductions.end(), [&](const auto& entry) { return entry.first == name; });
-      if (found == reductions.end()) fail(table_, fmt::format("unknown reduction \"{}\"", name));
+  void read_measures(Claim& claim) {
+    static const std::map<std::string, Reduction> reductions{{"largest", Reduction::largest},
+                                                             {"smallest", Reduction::smallest},
+                                                             {"largest_magnitude", Reduction::largest_magnitude},
+                                                             {"ratio", Reduction::ratio},
+                                                             {"relative_spread", Reduction::relative_spread}};
+    for (const std::string& measure : table_.text_or_texts("measure")) try {
+        claim.measures.push_back(parse_measure_key(measure));
+      } catch (const std::invalid_argument& error) {
+        throw problem("measure", error.what());
+      }
+    if (claim.measures.empty() && claim.undecidable.empty()) throw problem("measure", "is missing");
+    if (const std::string name = table_.text("reduce", ""); !name.empty()) {
+      const auto found = reductions.find(name);
+      if (found == reductions.end()) throw problem("reduce", fmt::format("\"{}\" is unknown", name));
       claim.reduction = found->second;
     }
     const bool trend = claim.kind == StatementKind::increasing || claim.kind == StatementKind::decreasing;
     const bool several = claim.measures.size() > 1 || (!claim.measures.empty() && claim.measures[0].for_all_at);
-    if (several && !trend && claim.reduction == Reduction::single) fail(table_, "several measures need \"reduce\"");
-    if (trend && claim.undecidable.empty() && claim.measures.size() < 2) fail(table_, "a trend needs two measures");
-    if (claim.reduction == Reduction::ratio && claim.measures.size() != 2) fail(table_, "a ratio needs two measures");
+    if (several && !trend && claim.reduction == Reduction::single)
+      throw problem("measure", "several measures need \"reduce\"");
+    if (trend && claim.undecidable.empty() && claim.measures.size() < 2)
+      throw problem("measure", "a trend needs two measures");
+    if (claim.reduction == Reduction::ratio && claim.measures.size() != 2)
+      throw problem("measure", "a ratio needs two measures");
   }
 
-  void read_regression(Claim& claim) const {
-    if (!table_.contains("regression")) return;
-    const toml::table* band = table_["regression"].as_table();
-    if (band == nullptr) fail(table_, "\"regression\" is not a table");
-    const double accepted = number(*band, "value");
-    const double width = tolerance(*band, accepted);
+  void read_regression(Claim& claim) {
+    if (!table_.has("regression")) return;
+    TomlTable band = table_.table("regression");
+    const double accepted = band.number("value");
+    const double width = tolerance(band, "regression", accepted);
     claim.regression_band = Band{accepted - width, accepted + width};
-    claim.regression_reason = text(*band, "why");
+    claim.regression_reason = band.text("why");
+    band.reject_others();
   }
 
-  const toml::table& table_;
-  const std::filesystem::path& file_;
+  TomlTable& table_;
+  const ReferenceNumbers& reference_;
+  std::string id_;
 };
 
 /// The keys that a measure stands for; itself where it is no pattern.
@@ -336,8 +288,7 @@ void judge_gate(Evaluation& evaluation) {
   if (!band) return;
   if (!evaluation.ours) {
     // A law answers at once on every machine, so a missing answer is a fault; a run may simply not exist yet.
-    const auto& keys = evaluation.claim.measures;
-    if (std::ranges::none_of(keys, needs_run)) {
+    if (!evaluation.claim.needs_run()) {
       evaluation.gate = Gate::broken;
       evaluation.reason += "; a measure that needs no run must exist";
     }
@@ -356,9 +307,9 @@ bool of_both(const std::vector<Measurement>& values, Springs one, Springs other)
 }
 
 /// Why a measure is missing: its run is, or the run is there and has no such number; or no run is near its voidage.
-std::string missing_text(const MeasureKey& measure, const Measurements& measurements) {
+std::string missing_text(const Claim& claim, const MeasureKey& measure, const Measurements& measurements) {
   const std::string text = to_string(measure);
-  if (!needs_run(measure)) return "not yet measured: " + text;
+  if (!claim.needs_run(measure)) return "not yet measured: " + text;
   if (measure.quantity.ends_with("_at_voidage")) return "no runs about this voidage: " + text;
   const bool simulated = std::ranges::any_of(measurements, [&](const auto& entry) {
     MeasureKey same_run = measure;
@@ -385,7 +336,7 @@ Evaluation evaluate_claim(const Claim& claim, const Measurements& measurements) 
       }
     }
     if (found) continue;
-    missing += (missing.empty() ? "" : "; ") + missing_text(measure, measurements);
+    missing += (missing.empty() ? "" : "; ") + missing_text(claim, measure, measurements);
   }
 
   if (!missing.empty()) {
@@ -408,7 +359,7 @@ Evaluation evaluate_claim(const Claim& claim, const Measurements& measurements) 
   return evaluation;
 }
 
-/// A mean with its standard error and degrees of freedom, from its 95 % interval.
+/// A mean with its standard error and degrees of freedom.
 struct Mean {
   double value, error, freedom;
 };
@@ -417,8 +368,8 @@ std::optional<Mean> mean_of(const Measurements& measurements, const MeasureKey& 
   const auto found = measurements.find(key);
   if (found == measurements.end() || !(found->second.half_width >= 0.0) || found->second.samples < 2)
     return std::nullopt;
-  const double freedom = static_cast<double>(found->second.samples) - 1.0;
-  return Mean{found->second.value, found->second.half_width / gsl_cdf_tdist_Pinv(0.975, freedom), freedom};
+  const Measurement& mean = found->second;
+  return Mean{mean.value, standard_error(mean.half_width, mean.samples), static_cast<double>(mean.samples) - 1.0};
 }
 
 /// |a − b| over what chance allows with probability 1 − `level` (Welch 1947, Biometrika 34, 28).
@@ -444,7 +395,7 @@ void judge_run_gates(std::vector<Evaluation>& evaluations, const Measurements& f
     if (evaluation.claim.regression_band) return keys;
     for (const MeasureKey& measure : evaluation.claim.measures)
       for (const MeasureKey& key : expand(measure, fresh))
-        if (needs_run(key) && mean_of(fresh, key) && mean_of(accepted, key)) keys.push_back(key);
+        if (evaluation.claim.needs_run(key) && mean_of(fresh, key) && mean_of(accepted, key)) keys.push_back(key);
     return keys;
   };
   for (const Evaluation& evaluation : evaluations)
@@ -504,26 +455,28 @@ std::string Claim::paper_text() const {
   throw std::logic_error("paper_text: unknown statement");
 }
 
-std::vector<Claim> load_claims() { return load_claims(reference_data_folder() / "peng_2014" / "claims.toml"); }
+bool Claim::needs_run(const MeasureKey& measure) const {
+  return measure.subject == all_systems || systems.contains(measure.subject);
+}
 
-std::vector<Claim> load_claims(const std::filesystem::path& file) {
-  toml::table document;
-  try {
-    document = toml::parse_file(file.string());
-  } catch (const toml::parse_error& error) {
-    throw std::runtime_error(fmt::format("{}:{}: {}", file.string(), error.source().begin.line, error.description()));
-  }
-  const toml::array* entries = document["claim"].as_array();
-  if (entries == nullptr) throw std::runtime_error(file.string() + ": no [[claim]] in it");
+bool Claim::needs_run() const {
+  return std::ranges::any_of(measures, [&](const MeasureKey& measure) { return needs_run(measure); });
+}
+
+std::vector<Claim> load_claims(const std::filesystem::path& file, const ReferenceNumbers& reference,
+                               const std::set<std::string>& systems) {
+  const toml::table document = parse_toml_file(file);
+  TomlTable root(document, file.string());
   std::vector<Claim> claims;
   std::set<std::string> ids;
-  for (const toml::node& entry : *entries) {
-    claims.push_back(ClaimReader(*entry.as_table(), file).read());
-    if (!ids.insert(claims.back().id).second) {
-      throw std::runtime_error(
-          fmt::format("{}:{}: claim {} occurs twice", file.string(), entry.source().begin.line, claims.back().id));
-    }
+  for (TomlTable& entry : root.tables("claim")) {
+    Claim claim = ClaimReader(entry, reference).read();
+    claim.systems = systems;
+    if (!ids.insert(claim.id).second) throw entry.problem("id", fmt::format("claim {} occurs twice", claim.id));
+    claims.push_back(std::move(claim));
   }
+  root.reject_others();
+  if (claims.empty()) throw std::runtime_error(file.string() + ": no [[claim]] in it");
   return claims;
 }
 

@@ -3,14 +3,16 @@
 #include <filesystem>
 #include <nlohmann/json_fwd.hpp>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
 
 #include "experiments/quantities/measurement.hpp"
+#include "experiments/reference/reference_numbers.hpp"
 
-/// Checkable statements of the paper and what our measurements say to each.
+/// Checkable statements of a work and what our measurements say to each.
 namespace slfb {
 
 /// Closed interval; an open side is ±infinity.
@@ -40,7 +42,7 @@ enum class Gate { holds, broken, none };
 std::string_view to_string(Verdict verdict);  ///< "reproduced", "not reproduced", "not decidable"
 std::string_view to_string(Gate gate);        ///< "holds", "broken", "none"
 
-/// One claim of reference-data/peng_2014/claims.toml with its references resolved.
+/// One claim of reference-data/WORK/claims.toml with its references resolved.
 struct Claim {
   std::string id;        ///< "fig05.u_mf_crossing"
   std::string figure;    ///< "fig05", "table2", "text"
@@ -57,7 +59,13 @@ struct Claim {
   Reduction reduction = Reduction::single;
   std::optional<Band> regression_band;  ///< around our own accepted value: what CI gates on
   std::string regression_reason;
-  std::string undecidable;  ///< why no measurement can decide it; empty otherwise
+  std::string undecidable;             ///< why no measurement can decide it; empty otherwise
+  std::set<std::string> systems = {};  ///< of the work: the subjects whose measures are taken in runs
+
+  /// Whether a measure is answered by simulations: its subject is a system of the work, or all of them.
+  [[nodiscard]] bool needs_run(const MeasureKey& measure) const;
+  /// Whether any of its measures is.
+  [[nodiscard]] bool needs_run() const;
   /// The paper's side in words: "0.0424", "at most 9", "between 10 and 50", "increasing".
   [[nodiscard]] std::string paper_text() const;
 };
@@ -73,9 +81,10 @@ struct Evaluation {
   std::string reason;  ///< why not decidable, or why a gate is broken; for the others how it was decided
 };
 
-/// Reads claims; throws std::runtime_error with file, line and claim on anything unexpected.
-std::vector<Claim> load_claims();
-std::vector<Claim> load_claims(const std::filesystem::path& file);
+/// Reads the claims of a work. \param reference its printed numbers, by which claims name them
+/// \param systems its systems of runs. Throws std::runtime_error with file, line and claim on anything unexpected.
+std::vector<Claim> load_claims(const std::filesystem::path& file, const ReferenceNumbers& reference,
+                               const std::set<std::string>& systems);
 
 /// Verdict and gate of each claim by the rules of reference-data/README.md.
 std::vector<Evaluation> evaluate(const std::vector<Claim>& claims, const Measurements& measurements);

@@ -9,7 +9,6 @@
 #include <limits>
 #include <set>
 
-#include "experiments/runs/measure.hpp"
 #include "solver/support/close_names.hpp"
 #include "solver/support/toml_table.hpp"
 
@@ -107,7 +106,7 @@ std::string measured_template(const std::vector<Claim>& claims) {
   for (const Claim& claim : claims) {
     if (!claim.undecidable.empty()) continue;
     for (const MeasureKey& measure : claim.measures) {
-      if (!needs_run(measure) || !written.insert(measure).second) continue;
+      if (!claim.needs_run(measure) || !written.insert(measure).second) continue;
       text += fmt::format("\n# {}: {}; the paper: {}\n", claim.id, claim.quantity, claim.paper_text());
       const bool any_velocity = measure.for_all_at;
       if (any_velocity) text += "# For every U_L [m/s] in the place of *:\n";

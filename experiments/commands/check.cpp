@@ -15,9 +15,8 @@
 #include "experiments/claims/claims.hpp"
 #include "experiments/claims/measured_file.hpp"
 #include "experiments/commands/commands.hpp"
-#include "experiments/peng_2014/causes/causes.hpp"
-#include "experiments/runs/campaign.hpp"
-#include "experiments/runs/measure.hpp"
+#include "experiments/commands/works.hpp"
+#include "experiments/work/judge.hpp"
 #include "solver/support/close_names.hpp"
 #include "solver/support/folders.hpp"
 
@@ -48,11 +47,12 @@ JSON: {"claims": [CLAIM, ...]}; a CLAIM has
 The rules are in reference-data/README.md.)";
 
 struct Options {
+  std::string work;
   std::vector<std::string> ids;
   std::string json = "-";
   std::filesystem::path junit, measured;
   bool start = false;  ///< print a file of measured results to start from
-  std::string profile = "quick";
+  std::string profile;
   std::filesystem::path out = build_folder();
 };
 
@@ -116,23 +116,19 @@ void write_file(const std::filesystem::path& file, const std::string& text) {
 }
 
 /// What the laws and the runs of this suite say to the claims.
-std::vector<Evaluation> evaluate_own(const std::vector<Claim>& claims, const Options& options) {
-  const Profile profile = load_profile(options.profile);
-  const auto runs = finished_runs(with_full_runs(profile), options.out);
-  std::vector<Evaluation> evaluations = evaluate(claims, measure_all(runs, options.out));
-  name_causes(evaluations, options.out);
-  judge_run_gates(evaluations, measure_runs(own_runs(runs, profile.name)), measure_runs(published_runs(profile)));
-  return evaluations;
+std::vector<Evaluation> evaluate_own(const Work& work, const std::vector<Claim>& claims, const Options& options) {
+  const Profile profile = load_profile(work, options.profile.empty() ? work.default_profile : options.profile);
+  return judge(work, profile, claims, options.out).evaluations;
 }
 
 /// Returns the exit status: 1 when a gate is broken.
-int check(const Options& options, bool json) {
+int check(const Work& work, const Options& options, bool json) {
   for (const std::filesystem::path& file : {std::filesystem::path(options.json), options.junit})
     if (file.has_parent_path() && !std::filesystem::is_directory(file.parent_path()))
       throw std::runtime_error(
           fmt::format("cannot write {}: there is no folder {}", file.string(), file.parent_path().string()));
-  const std::vector<Claim> all = load_claims(), claims = choose(all, options.ids);
-  const auto evaluations = options.measured.empty() ? evaluate_own(claims, options)
+  const std::vector<Claim> all = load_claims(work), claims = choose(all, options.ids);
+  const auto evaluations = options.measured.empty() ? evaluate_own(work, claims, options)
                                                     : evaluate_measured(claims, load_measured(options.measured, all));
   const bool json_to_stdout = json && options.json == "-";
   if (json_to_stdout) {
@@ -147,18 +143,18 @@ int check(const Options& options, bool json) {
 
 }  // namespace
 
-void add_check_command(CLI::App& app) {
+void add_check_command(CLI::App& app, const Works& works) {
   auto options = std::make_shared<Options>();
-  CLI::App* command = app.add_subcommand("check", "Compare with the claims of the paper; fail when a gate is broken");
+  CLI::App* command = app.add_subcommand("check", "Compare with the claims of a work; fail when a gate is broken");
   command->add_option("ID", options->ids, "claims, or what their ids begin with, such as fig05 (default: all)");
+  add_work_option(*command, works, options->work);
   CLI::Option* json =
       command->add_option("--json", options->json, "write JSON to FILE, or to standard output without one")
           ->expected(0, 1)
           ->option_text("[FILE]");
   command->add_option("--junit", options->junit, "write JUnit XML of the gates to FILE")->option_text("FILE");
   CLI::Option* profile =
-      command->add_option("--profile", options->profile, "whose simulations to use beside those of full")
-          ->capture_default_str();
+      command->add_option("--profile", options->profile, "whose simulations to use (`slfb list` shows them)");
   CLI::Option* out = command->add_option("--out", options->out, "folder with runs/")->option_text("DIR");
   CLI::Option* measured = command
                               ->add_option("--measured", options->measured,
@@ -169,10 +165,11 @@ void add_check_command(CLI::App& app) {
                               ->excludes(out);
   command->add_flag("--template", options->start, "print a file for --measured to start from")->excludes(measured);
   command->footer(examples);
-  command->callback([options, json] {
-    if (options->start) return fmt::print("{}", measured_template(choose(load_claims(), options->ids)));
+  command->callback([options, json, &works] {
+    const Work& work = find_work(works, options->work);
+    if (options->start) return fmt::print("{}", measured_template(choose(load_claims(work), options->ids)));
     if (options->json.empty()) options->json = "-";
-    const int status = check(*options, json->count() > 0);
+    const int status = check(work, *options, json->count() > 0);
     if (status != 0) throw CLI::RuntimeError(status);
   });
 }

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <vector>
+
 namespace CLI {
 class App;
 }
@@ -10,11 +12,17 @@ class App;
 /// a gate that does not hold or Ctrl-C (130), it throws CLI::RuntimeError with that status.
 namespace slfb {
 
+struct Work;
+using Works = std::vector<const Work*>;
+
+/// The works of the suite (works.cpp), among which --work ID chooses.
+const Works& works();
+
 /// `slfb figures`: simulates what figures still need, draws them and writes the report.
-void add_figures_command(CLI::App& app);
+void add_figures_command(CLI::App& app, const Works& works = slfb::works());
 
 /// `slfb check`: every claim with its verdict. The exit status is 0 only when every gate holds.
-void add_check_command(CLI::App& app);
+void add_check_command(CLI::App& app, const Works& works = slfb::works());
 
 /// `slfb compare`: laws, those of the suite and a user's own, side by side.
 void add_compare_command(CLI::App& app);
@@ -48,7 +56,7 @@ void add_law_command(CLI::App& app);
 /// `slfb bench`: how fast the parts of the solver are on this machine.
 void add_bench_command(CLI::App& app);
 
-/// `slfb list`: figures, claims, the runs of each profile, scenes.
-void add_list_command(CLI::App& app);
+/// `slfb list`: figures, claims, the runs of each profile, scenes; `slfb list quantities`: what is measured.
+void add_list_command(CLI::App& app, const Works& works = slfb::works());
 
 }  // namespace slfb

@@ -15,10 +15,10 @@
 
 #include "experiments/commands/above_zero.hpp"
 #include "experiments/commands/commands.hpp"
+#include "experiments/commands/works.hpp"
 #include "experiments/compare/bed_figures.hpp"
 #include "experiments/compare/contact_report.hpp"
 #include "experiments/compare/drag_report.hpp"
-#include "experiments/peng_2014/comparison.hpp"
 #include "experiments/runs/measure.hpp"
 #include "experiments/runs/run_estimate.hpp"
 #include "experiments/runs/run_files.hpp"
@@ -87,8 +87,13 @@ struct Question {
   std::vector<RunSpec> runs;
 };
 
+ComparisonBed bed_of(const Work& work) {
+  if (!work.comparison_bed) throw std::runtime_error(work.id + " hands over no bed to compare laws in");
+  return work.comparison_bed();
+}
+
 Question question(const Options& options) {
-  Question asked{paper::comparison_bed(), tier_named(options.tier), {}, {}};
+  Question asked{bed_of(find_work(works(), "")), tier_named(options.tier), {}, {}};
   asked.claims = compare::claims_of_runs(asked.bed, options.experiments);
   asked.runs = compare::runs_of(asked.bed, asked.tier, asked.claims, options.velocities);
   return asked;
@@ -118,7 +123,7 @@ CampaignOutcome compute(Comparison& comparison, const Question& asked, const Opt
     fmt::print(stderr, "{} simulations, about {} on {} core{}\n", comparison.candidates.size() * runs.size(),
                format_duration(core_seconds / (jobs * options.threads)), jobs * options.threads,
                jobs * options.threads == 1 ? "" : "s");
-    outcome = compare::simulate(comparison.candidates, runs,
+    outcome = compare::simulate(asked.bed, comparison.candidates, runs,
                                 {.out = options.out, .jobs = jobs, .threads_per_run = options.threads});
   }
   compare::evaluate_candidates(comparison.candidates, asked.claims);

@@ -9,17 +9,12 @@
 #include <thread>
 #include <vector>
 
-#include "experiments/claims/claims.hpp"
 #include "experiments/commands/above_zero.hpp"
 #include "experiments/commands/commands.hpp"
-#include "experiments/figures/figure.hpp"
-#include "experiments/peng_2014/causes/causes.hpp"
-#include "experiments/peng_2014/inconsistencies.hpp"
-#include "experiments/peng_2014/report_texts.hpp"
-#include "experiments/runs/campaign.hpp"
-#include "experiments/runs/measure.hpp"
+#include "experiments/commands/works.hpp"
 #include "experiments/runs/run_campaign.hpp"
 #include "experiments/runs/run_files.hpp"
+#include "experiments/work/judge.hpp"
 #include "experiments/work/report_pages.hpp"
 #include "reports/report.hpp"
 #include "solver/support/folders.hpp"
@@ -38,8 +33,9 @@ Results are kept in DIR/runs and named by their scene: a second call simulates n
 interruption the same command goes on where it was. `slfb list` shows the figures and the runs of each profile.)";
 
 struct Options {
+  std::string work;
   std::vector<std::string> ids;
-  std::string profile = "quick";
+  std::string profile;
   int jobs = 0;     // 0: as many as there are cores or runs
   int threads = 0;  // 0: share the cores among the jobs
   std::filesystem::path out = build_folder();
@@ -47,20 +43,20 @@ struct Options {
   bool publish = false;
 };
 
-std::string known_ids() {
+std::string known_ids(const Work& work) {
   std::string text;
-  for (const auto& figure : figures()) text += (text.empty() ? "" : ", ") + figure.id;
+  for (const auto& figure : work.figures) text += (text.empty() ? "" : ", ") + figure.id;
   return text;
 }
 
 /// The named figures, or all of them. Throws CLI::ValidationError listing the known ones on an unknown name.
-std::vector<const Figure*> choose(const std::vector<std::string>& ids) {
-  std::vector<const Figure*> chosen;
+std::vector<const Figure*> choose(const Work& work, const std::vector<std::string>& ids) {
   for (const auto& id : ids)
-    if (std::none_of(figures().begin(), figures().end(), [&](const Figure& figure) { return figure.id == id; }))
-      throw CLI::ValidationError("ID", fmt::format("there is no figure \"{}\"; known: {}", id, known_ids()));
-  for (const auto& figure : figures())
-    if (ids.empty() || std::find(ids.begin(), ids.end(), figure.id) != ids.end()) chosen.push_back(&figure);
+    if (std::ranges::find(work.figures, id, &Figure::id) == work.figures.end())
+      throw CLI::ValidationError("ID", fmt::format("there is no figure \"{}\"; known: {}", id, known_ids(work)));
+  std::vector<const Figure*> chosen;
+  for (const auto& figure : work.figures)
+    if (ids.empty() || std::ranges::find(ids, figure.id) != ids.end()) chosen.push_back(&figure);
   return chosen;
 }
 
@@ -84,54 +80,48 @@ CampaignOptions campaign_options(const Options& options, std::size_t runs) {
 }
 
 /// Puts a finished result of a profile where it can be committed; figures use it where nothing is simulated.
-void publish(const Profile& profile, const RunSpec& spec, const std::filesystem::path& out) {
+void publish(const Work& work, const Profile& profile, const RunSpec& spec, const std::filesystem::path& out) {
   const std::string hash = scene_hash(load_run_scene(spec));
   if (std::filesystem::exists(result_file(out, hash)))
-    publish_result(spec, load_own_result(out, hash), profile.whole.contains(run_key(spec)));
+    publish_result(spec, load_own_result(out, hash), profile.whole.contains(run_key(spec)), work.measuring);
 }
 
 /// Returns the exit status, which tells of simulations that failed or were interrupted.
-int make_figures(const Options& options) {
-  const auto chosen = choose(options.ids);
-  const Profile profile = load_profile(options.profile);
+int make_figures(const Work& work, const Options& options) {
+  const auto chosen = choose(work, options.ids);
+  const Profile profile = load_profile(work, options.profile.empty() ? work.default_profile : options.profile);
   CampaignOutcome outcome;
   if (!options.no_run) {
     const auto needed = needed_runs(chosen, profile);
     CampaignOptions campaign = campaign_options(options, needed.size());
-    if (options.publish) campaign.finished = [&](std::size_t k) { publish(profile, needed[k], options.out); };
+    if (options.publish) campaign.finished = [&](std::size_t k) { publish(work, profile, needed[k], options.out); };
     if (!needed.empty()) outcome = run_campaign(needed, campaign);
-    if (outcome.interrupted > 0) return outcome.exit_status();  // who stops it does not wait for the drawing
+    if (outcome.interrupted > 0) return outcome.exit_status();  // interrupted: skip drawing
   }
   if (options.publish)  // also what an earlier call has simulated
-    for (const RunSpec& spec : profile.runs) publish(profile, spec, options.out);
+    for (const RunSpec& spec : profile.runs) publish(work, profile, spec, options.out);
 
-  const Profile shown = with_full_runs(profile);
-  const auto runs = finished_runs(shown, options.out);
-  const Measurements measurements = measure_all(runs, options.out);
+  const Judgement judgement = judge(work, profile, load_claims(work), options.out);
 
   // Every figure is drawn, also when only some were named: it takes seconds, and the report stays complete.
   const auto figures_folder = options.out / "figures";
   std::filesystem::create_directories(figures_folder);
   std::vector<FigureOutput> outputs;
-  for (const auto& figure : figures())
-    outputs.push_back(figure.draw({shown, runs, measurements, figures_folder, options.out}));
+  for (const auto& figure : work.figures)
+    outputs.push_back(
+        figure.draw({judgement.shown, judgement.runs, judgement.measurements, figures_folder, options.out}));
 
-  auto evaluations = evaluate(load_claims(), measurements);
-  name_causes(evaluations, options.out);
-  judge_run_gates(evaluations, measure_runs(own_runs(runs, profile.name)), measure_runs(published_runs(profile)));
   const auto report_folder = options.out / "report";
-  auto reported = runs;
-  for (const char* own : {"drag-law", "causes", "springs", "paper-steps"})  // their figures read them by themselves
+  auto reported = judgement.runs;
+  for (const std::string& own : work.read_by_figures)
     if (profile.name != own)
-      for (auto& run : finished_runs(load_profile(own), options.out)) reported.push_back(std::move(run));
-  reports::ReportContents report =
-      report_contents({profile, shown, reported, figures(), outputs, evaluations, options.out});
-  report.texts = paper::report_texts();
-  report.inconsistencies = inconsistencies();
-  reports::write_report(report, figures_folder, report_folder);
+      for (auto& run : finished_runs(load_profile(work, own), options.out)) reported.push_back(std::move(run));
+  reports::write_report(report_contents({work, judgement, reported, outputs, options.out}), figures_folder,
+                        report_folder);
 
   for (const Figure* figure : chosen)
     fmt::print("{}  {:<62}{}\n", figure->id, figure->title, (figures_folder / (figure->id + ".svg")).string());
+  const auto& evaluations = judgement.evaluations;
   const ClaimCounts counts = count(evaluations);
   fmt::print("\n{} claims: {} reproduced, {} not reproduced, {} not decidable\nreport: {}\n", evaluations.size(),
              counts.reproduced, counts.not_reproduced, counts.not_decidable, (report_folder / "index.html").string());
@@ -143,26 +133,26 @@ int make_figures(const Options& options) {
 
 }  // namespace
 
-void add_figures_command(CLI::App& app) {
+void add_figures_command(CLI::App& app, const Works& works) {
   auto options = std::make_shared<Options>();
   CLI::App* command = app.add_subcommand("figures", "Simulate what is missing, draw the figures, write the report");
-  command->add_option("ID", options->ids, "figures to simulate for: " + known_ids() + " (default: all)");
-  command
-      ->add_option("--profile", options->profile,
-                   "settings of the simulations: quick, full, springs and paper-steps (the paper's own springs, and "
-                   "its own steps "
-                   "too), or drag-law and causes (the runs of these figures)")
-      ->capture_default_str();
+  command->add_option("ID", options->ids,
+                      "figures to simulate for: " + known_ids(find_work(works, "")) + " (default: all)");
+  add_work_option(*command, works, options->work);
+  command->add_option(
+      "--profile", options->profile,
+      "settings of the simulations (`slfb list` shows them; default: " + find_work(works, "").default_profile + ")");
   command->add_option("--jobs", options->jobs, "simulations side by side (default: one per core)")->check(above_zero());
   command->add_option("--threads", options->threads, "threads of each simulation (default: cores over jobs)")
       ->check(above_zero());
   command->add_option("--out", options->out, "folder of runs/, figures/ and report/")->capture_default_str();
   command->add_flag("--no-run", options->no_run, "simulate nothing, draw with what exists");
   command->add_flag("--publish", options->publish,
-                    "copy the finished results of the profile to reports/published/peng_2014/runs, to be committed");
+                    "copy the finished results of the profile to reports/published/WORK/runs, to be committed");
   command->footer(examples);
-  command->callback([options] {
-    if (const int status = make_figures(*options); status != 0) throw CLI::RuntimeError(status);
+  command->callback([options, &works] {
+    if (const int status = make_figures(find_work(works, options->work), *options); status != 0)
+      throw CLI::RuntimeError(status);
   });
 }
 

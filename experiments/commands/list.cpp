@@ -5,23 +5,25 @@
 #include <algorithm>
 #include <filesystem>
 #include <map>
+#include <memory>
 #include <string>
 #include <vector>
 
-#include "experiments/claims/claims.hpp"
 #include "experiments/commands/commands.hpp"
-#include "experiments/figures/figure.hpp"
-#include "experiments/runs/campaign.hpp"
+#include "experiments/commands/works.hpp"
+#include "experiments/work/profiles.hpp"
 #include "solver/support/folders.hpp"
+#include "solver/support/toml_table.hpp"
 
 namespace slfb {
 namespace {
 
-void list_figures(const std::vector<Claim>& claims) {
+void list_figures(const Work& work) {
+  const std::vector<Claim> claims = load_claims(work);
   std::map<std::string, std::size_t> of_figure;
   for (const Claim& claim : claims) ++of_figure[claim.figure];
   fmt::print("Figures drawn (slfb figures ID) and their claims (slfb check ID)\n");
-  for (const Figure& figure : figures()) {
+  for (const Figure& figure : work.figures) {
     fmt::print("  {:<8} {:3} claims  {}\n", figure.id, of_figure[figure.id], figure.title);
     of_figure.erase(figure.id);
   }
@@ -32,8 +34,8 @@ void list_figures(const std::vector<Claim>& claims) {
   fmt::print("  claims without a figure of their own: {}\n  {} claims in all\n", others, claims.size());
 }
 
-void list_profile(const std::string& name) {
-  const Profile profile = load_profile(name);
+void list_profile(const Work& work, const std::string& name) {
+  const Profile profile = load_profile(work, name);
   // One line per system and variant, with its velocities.
   std::map<std::pair<std::string, std::string>, std::vector<std::string>> velocities;
   for (const RunSpec& run : profile.runs) {
@@ -46,27 +48,40 @@ void list_profile(const std::string& name) {
   }
 }
 
-void list_scenes() {
-  fmt::print("\nScenes (slfb run experiments/scenes/NAME)\n");
-  const auto folder = source_folder() / "experiments" / "peng_2014" / "scenes";
-  std::vector<std::string> names;
-  for (const auto& entry : std::filesystem::directory_iterator(folder)) {
-    if (entry.path().extension() == ".toml") names.push_back(entry.path().filename().string());
+void list_scenes(const Work& work) {
+  fmt::print("\nScenes (slfb run FILE)\n");
+  for (const auto& folder : {work.folders.experiments / "scenes", source_folder() / "experiments" / "scenes"}) {
+    if (!std::filesystem::is_directory(folder)) continue;
+    for (const auto& file : toml_files(folder)) {
+      const auto shown = std::filesystem::relative(file, source_folder());
+      fmt::print("  {:<55} {}\n", shown.string(), load_scene(file).title);
+    }
   }
-  std::sort(names.begin(), names.end());
-  for (const std::string& name : names) {
-    fmt::print("  {:<32} {}\n", name, load_scene(folder / name).title);
-  }
+}
+
+void list_quantities(const Work& work) {
+  for (const Quantity& quantity : work.measuring.quantities)
+    fmt::print("{} [{}]: {}\n    {}{}\n", quantity.id, quantity.unit, quantity.title, quantity.definition,
+               quantity.depends_on_contact_stiffness ? " Depends on the contact stiffness." : "");
 }
 
 }  // namespace
 
-void add_list_command(CLI::App& app) {
-  CLI::App* command = app.add_subcommand("list", "List the figures, claims, simulations and scenes");
-  command->callback([] {
-    list_figures(load_claims());
-    for (const std::string& name : profile_names()) list_profile(name);
-    list_scenes();
+void add_list_command(CLI::App& app, const Works& works) {
+  struct Options {
+    std::string work, what;
+  };
+  auto options = std::make_shared<Options>();
+  CLI::App* command = app.add_subcommand("list", "List the figures, claims, simulations and scenes, or the quantities");
+  command->add_option("WHAT", options->what, "quantities: what is measured, with unit and definition")
+      ->check(CLI::IsMember({"quantities"}));
+  add_work_option(*command, works, options->work);
+  command->callback([options, &works] {
+    const Work& work = find_work(works, options->work);
+    if (options->what == "quantities") return list_quantities(work);
+    list_figures(work);
+    for (const std::string& name : profile_names(work)) list_profile(work, name);
+    list_scenes(work);
   });
 }
 

@@ -12,8 +12,8 @@
 #include <vector>
 
 #include "experiments/commands/commands.hpp"
+#include "experiments/commands/works.hpp"
 #include "experiments/numerics/plan/plan.hpp"
-#include "experiments/quantities/analysis.hpp"
 #include "experiments/runs/measure.hpp"
 #include "experiments/runs/run_campaign.hpp"
 #include "experiments/runs/run_estimate.hpp"
@@ -101,12 +101,21 @@ int print_plan(const Options& options, const Scene& scene) {
   return 0;
 }
 
+/// The conventions of the work in whose folder a scene lies, or the general ones.
+const MeasuringRules& rules_of(const std::filesystem::path& scene) {
+  const auto folder = std::filesystem::weakly_canonical(scene).parent_path();
+  for (const Work* work : works())
+    if (folder == work->folders.experiments / "scenes") return work->measuring;
+  return general_rules();
+}
+
 /// What measure_runs finds in one run, by quantity. Empty without bed particles, which its definitions need.
 std::map<std::string, Measurement> measure(const Options& options, const Scene& scene, const RunResult& result) {
   if (std::none_of(scene.species.begin(), scene.species.end(), [](const Species& s) { return s.count > 0; })) return {};
   const RunSpec spec{options.scene.stem().string(), scene.liquid.superficial_velocity, "", options.scene, {}};
+  const MeasuringRules& rules = rules_of(options.scene);
   std::map<std::string, Measurement> by_quantity;
-  for (const auto& [key, measurement] : measure_runs({{spec, scene, result}}))
+  for (const auto& [key, measurement] : measure_runs({{spec, scene, result}}, rules))
     // The others are of a system over its velocities.
     if (key == measure_key(key.quantity, spec.system, spec.superficial_velocity))
       by_quantity[key.quantity] = measurement;
@@ -117,7 +126,8 @@ double particle_steps_per_second(const RunResult& result) {
   return result.wall_seconds > 0.0 ? static_cast<double>(result.particle_steps) / result.wall_seconds : 0.0;
 }
 
-void add_result(json& answer, const RunResult& result, const std::map<std::string, Measurement>& measurements) {
+void add_result(json& answer, const Options& options, const Scene& scene, const RunResult& result,
+                const std::map<std::string, Measurement>& measurements) {
   answer["wall_seconds"] = result.wall_seconds;
   answer["cpu_seconds"] = result.cpu_seconds;
   answer["simulated_seconds"] = result.simulated_seconds;
@@ -133,7 +143,7 @@ void add_result(json& answer, const RunResult& result, const std::map<std::strin
   }
   json& drops = answer["drops"] = json::array();
   for (const DropSeries& drop : result.drops) {
-    const auto fit = fit_classification(drop, 0.0);
+    const auto fit = classification_of(drop, scene, rules_of(options.scene));
     drops.push_back({{"species", drop.species},
                      {"release_time", drop.release_time},
                      {"bottom_time", drop.bottom_time < 0.0 ? json(nullptr) : json(drop.bottom_time)},
@@ -142,7 +152,8 @@ void add_result(json& answer, const RunResult& result, const std::map<std::strin
   }
 }
 
-void print_result(const RunResult& result, const std::map<std::string, Measurement>& measurements) {
+void print_result(const Options& options, const Scene& scene, const RunResult& result,
+                  const std::map<std::string, Measurement>& measurements) {
   const auto line = [](const std::string& name, const std::string& text) { fmt::print("  {:<22} {}\n", name, text); };
   const auto measured = [&](const char* name, const char* quantity) {
     const auto found = measurements.find(quantity);
@@ -157,7 +168,7 @@ void print_result(const RunResult& result, const std::map<std::string, Measureme
   measured("V_2, mean of drops", "classification_velocity");
   for (std::size_t i = 0; i < result.drops.size(); ++i) {
     const DropSeries& drop = result.drops[i];
-    const auto fit = fit_classification(drop, 0.0);
+    const auto fit = classification_of(drop, scene, rules_of(options.scene));
     line(fmt::format("drop {} ({})", i + 1, drop.species),
          fmt::format(
              "{}, {}", fit ? fmt::format("V_2 = {:.4g} m/s", fit->velocity) : "no V_2 (too few points)",
@@ -200,11 +211,11 @@ int run(const Options& options) {
     const RunResult result = load_own_result(options.out, hash);
     const auto measurements = measure(options, scene, result);
     answer["result"] = file.string();
-    add_result(answer, result, measurements);
+    add_result(answer, options, scene, result, measurements);
     if (!options.json) {
       fmt::print("{}{}\n", file.string(),
                  outcome.skipped > 0 ? " (had been computed; remove its folder to repeat)" : "");
-      print_result(result, measurements);
+      print_result(options, scene, result, measurements);
     }
   } else {
     answer["result"] = nullptr;

@@ -48,7 +48,7 @@ int rank(Verdict verdict) { return verdict == Verdict::reproduced ? 2 : verdict 
 std::vector<Claim> claims_of_runs(const ComparisonBed& bed, const std::vector<std::string>& ids) {
   std::vector<Claim> claims;
   for (const Claim& claim : bed.claims)
-    if (std::ranges::any_of(claim.measures, needs_run)) claims.push_back(claim);
+    if (claim.needs_run()) claims.push_back(claim);
   for (const std::string& id : ids)
     if (std::ranges::none_of(claims, [&](const Claim& claim) { return claim.id.starts_with(id); })) {
       std::vector<std::string> figures;
@@ -92,7 +92,7 @@ std::vector<RunSpec> runs_of(const ComparisonBed& bed, Tier tier, const std::vec
   return runs;
 }
 
-CampaignOutcome simulate(std::vector<Candidate>& candidates, const std::vector<RunSpec>& runs,
+CampaignOutcome simulate(const ComparisonBed& bed, std::vector<Candidate>& candidates, const std::vector<RunSpec>& runs,
                          const CampaignOptions& options) {
   std::vector<NamedScene> scenes;
   for (const Candidate& candidate : candidates)
@@ -111,7 +111,8 @@ CampaignOutcome simulate(std::vector<Candidate>& candidates, const std::vector<R
       candidate.simulated_seconds += finished.back().result.simulated_seconds;
     }
     candidate.runs = finished.size();
-    for (const auto& [key, measurement] : measure_runs(finished)) candidate.measurements[key] = measurement;
+    for (const auto& [key, measurement] : measure_runs(finished, bed.measuring))
+      candidate.measurements[key] = measurement;
   }
   return outcome;
 }

@@ -43,7 +43,7 @@ std::vector<RunSpec> runs_of(const ComparisonBed& bed, Tier tier, const std::vec
 /// Makes the runs for every candidate and fills in what is measured in them beside `measurements`, and what it costs.
 /// A run that fails or is interrupted is counted in the outcome; its candidate has fewer measurements. \throws
 /// SceneError where a candidate's overrides do not fit the scene
-CampaignOutcome simulate(std::vector<Candidate>& candidates, const std::vector<RunSpec>& runs,
+CampaignOutcome simulate(const ComparisonBed& bed, std::vector<Candidate>& candidates, const std::vector<RunSpec>& runs,
                          const CampaignOptions& options);
 
 /// Evaluates the claims for every candidate from its measurements.

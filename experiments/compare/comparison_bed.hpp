@@ -6,6 +6,7 @@
 
 #include "correlations/materials.hpp"
 #include "experiments/claims/claims.hpp"
+#include "experiments/quantities/quantity.hpp"
 #include "experiments/runs/campaign.hpp"
 
 /// The bed in which laws are compared: what a work hands over to `slfb compare`.
@@ -58,6 +59,7 @@ struct ComparisonBed {
   std::string about_one_dimensional;
 
   std::vector<Claim> claims;  ///< all of the work
+  MeasuringRules measuring;   ///< what the runs are measured by
 };
 
 }  // namespace slfb::compare

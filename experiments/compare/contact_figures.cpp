@@ -9,7 +9,7 @@
 #include "correlations/collision/restitution/barnocky_davis_1988.hpp"
 #include "correlations/collision/restitution/legendre_2005.hpp"
 #include "experiments/compare/bed_figures.hpp"
-#include "experiments/reference/reference_data.hpp"
+#include "experiments/reference/wet_bounces.hpp"
 
 namespace slfb::compare {
 namespace {

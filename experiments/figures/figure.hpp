@@ -39,7 +39,4 @@ struct Figure {
 /// For Figure::needs of a figure that draws no run.
 inline std::vector<std::string> no_runs(const Profile&) { return {}; }
 
-/// All figures in the order of the paper; adding one is one line in figures.cpp.
-const std::vector<Figure>& figures();
-
 }  // namespace slfb

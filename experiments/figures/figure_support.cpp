@@ -55,8 +55,7 @@ std::vector<std::string> differences_of(const FigureContext& context, const std:
     if (std::find(profiles.begin(), profiles.end(), name) != profiles.end()) continue;
     profiles.push_back(name);
     sentences.push_back(fmt::format("Profile {}.", name));
-    for (const auto& sentence :
-         name == context.profile.name ? context.profile.differences : load_profile(name).differences)
+    for (const auto& sentence : name == context.profile.name ? context.profile.differences : run->spec.differences)
       if (std::find(sentences.begin(), sentences.end(), sentence) == sentences.end()) sentences.push_back(sentence);
   }
   return sentences;

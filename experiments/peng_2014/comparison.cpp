@@ -3,7 +3,8 @@
 #include <fmt/format.h>
 
 #include "experiments/peng_2014/paper_conditions.hpp"
-#include "experiments/reference/reference_data.hpp"
+#include "experiments/peng_2014/reference.hpp"
+#include "experiments/peng_2014/work.hpp"
 
 namespace slfb::paper {
 
@@ -33,7 +34,7 @@ compare::ComparisonBed comparison_bed() {
   for (const RunSpec& run : load_profile("quick").runs)
     if (run.system == bed.system && run.variant.empty()) bed.three_dimensional.push_back(run);
   for (RunSpec run : bed.three_dimensional) {
-    run.scene = "6in5W_one-dimensional.toml";
+    run.scene.replace_filename("6in5W_one-dimensional.toml");
     run.overrides = {fmt::format("liquid.superficial_velocity={} m/s", run.superficial_velocity)};
     bed.one_dimensional.push_back(std::move(run));
   }
@@ -44,6 +45,7 @@ compare::ComparisonBed comparison_bed() {
       "Simulated in a slice of the paper's bed (20 mm square, periodic sides, 733 spheres) in a one-dimensional "
       "liquid: collisions and fluctuations are there, walls and circulation of the liquid are not.";
   bed.claims = load_claims();
+  bed.measuring = peng_2014_work().measuring;
   return bed;
 }
 

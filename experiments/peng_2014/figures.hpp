@@ -76,4 +76,7 @@ Figure from_66_hours();
 /// For each figure the cheapest choice of tier, stiffness and steps that answers it, beside those of paper and profile.
 Figure planned_figures();
 
+/// All of them in the order of the paper, and behind them those of the numerics; adding one is one line in figures.cpp.
+const std::vector<Figure>& figures();
+
 }  // namespace slfb

@@ -13,6 +13,7 @@
 #include "correlations/drag/gidaspow_1994.hpp"
 #include "correlations/drag/wen_yu_1966.hpp"
 #include "correlations/fluidisation/bed_expansion.hpp"
+#include "experiments/peng_2014/measure_laws.hpp"
 #include "experiments/peng_2014/paper_conditions.hpp"
 #include "experiments/runs/measure.hpp"
 

@@ -1,3 +1,5 @@
+#include "experiments/peng_2014/measure_laws.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>

@@ -4,7 +4,7 @@
 
 #include "correlations/foreign_sphere.hpp"
 #include "correlations/materials.hpp"
-#include "experiments/reference/reference_data.hpp"
+#include "experiments/peng_2014/reference.hpp"
 
 /// The bed, the spheres and the liquids of Peng et al. (2014) as the laws take them.
 namespace slfb::paper {

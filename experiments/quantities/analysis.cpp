@@ -151,6 +151,11 @@ ReplicateEstimate estimate_replicates(std::span<const double> values) {
   return estimate;
 }
 
+double standard_error(double half_width, std::size_t samples) {
+  if (samples < 2) throw std::invalid_argument("standard_error: a single sample has none");
+  return half_width / student_t_95(static_cast<double>(samples) - 1.0);
+}
+
 LineFit fit_line(std::span<const double> x, std::span<const double> y) {
   if (x.size() != y.size()) throw std::invalid_argument("fit_line: x and y have different lengths");
   if (x.size() < 2) throw std::invalid_argument("fit_line: a line needs two points");
@@ -164,13 +169,14 @@ LineFit fit_line(std::span<const double> x, std::span<const double> y) {
   return fit;
 }
 
-std::optional<ClassificationFit> fit_classification(const DropSeries& drop, double release_clock) {
+std::optional<ClassificationFit> fit_classification(const DropSeries& drop, double bottom, double top,
+                                                    double release_clock) {
   const auto first_below = [&](double height) {
     return static_cast<std::size_t>(std::find_if(drop.z.begin(), drop.z.end(), [&](double z) { return z < height; }) -
                                     drop.z.begin());
   };
-  const std::size_t begin = first_below(classification_window_top);
-  const std::size_t end = first_below(classification_window_bottom);
+  const std::size_t begin = first_below(top);
+  const std::size_t end = first_below(bottom);
   if (end == drop.z.size() || end < begin + 3) return std::nullopt;
   std::vector<double> clock(drop.time.begin() + static_cast<std::ptrdiff_t>(begin),
                             drop.time.begin() + static_cast<std::ptrdiff_t>(end));
@@ -201,7 +207,7 @@ DropStatistics analyse_drop(const DropSeries& drop, const DropSurroundings& surr
   const bool at_bottom = drop.bottom_time >= 0.0;
   if (at_bottom) statistics.time_to_bottom = drop.bottom_time;
   statistics.time_followed = at_bottom ? drop.bottom_time : drop.time.back();
-  statistics.classification = fit_classification(drop, surroundings.release_clock);
+  statistics.classification = surroundings.classification;
 
   if (const auto stretch = terminal_stretch(drop, surroundings)) {
     statistics.terminal_velocity =

@@ -45,6 +45,10 @@ struct ReplicateEstimate {
 /// Mean and 95 % t-interval of independent samples. Throws std::invalid_argument when there is none.
 ReplicateEstimate estimate_replicates(std::span<const double> values);
 
+/// Standard error of a mean of independent samples, from the half-width of its 95 % t-interval. Throws
+/// std::invalid_argument for fewer than two samples.
+double standard_error(double half_width, std::size_t samples);
+
 /// Least-squares straight line y = intercept + slope·x.
 struct LineFit {
   double slope = 0.0;
@@ -56,11 +60,7 @@ struct LineFit {
 /// Throws std::invalid_argument when there are fewer than two points or lengths differ.
 LineFit fit_line(std::span<const double> x, std::span<const double> y);
 
-/// The window of height in which the paper (and its experiment) measures the classification velocity (§4.1, §5.2).
-inline constexpr double classification_window_bottom = 0.1;  ///< [m]
-inline constexpr double classification_window_top = 0.2;     ///< [m]
-
-/// Straight line z = intercept − velocity·t through the first passage of the window (Table 2).
+/// Straight line z = intercept − velocity·t through the first passage of a window of height.
 struct ClassificationFit {
   double velocity = 0.0;   ///< V_2, positive downwards [m/s]
   double intercept = 0.0;  ///< on the clock whose reading at the release is `release_clock` [m]
@@ -68,10 +68,11 @@ struct ClassificationFit {
   std::size_t points = 0;
 };
 
-/// Fits the samples from the first one below the top of the window to the last one before the sphere is first below
-/// its bottom. `release_clock` is the time shown at release (Table 2: 20 s of fluidisation before the drop). Empty
-/// when the sphere does not pass the window or leaves fewer than three samples there.
-std::optional<ClassificationFit> fit_classification(const DropSeries& drop, double release_clock);
+/// Fits the samples of the passage through the window of height from `bottom` to `top` [m]: from the first one below
+/// its top to the last one before the sphere is first below its bottom. `release_clock` is the time shown at release
+/// [s]. Empty when the sphere does not pass the window or leaves fewer than three samples there.
+std::optional<ClassificationFit> fit_classification(const DropSeries& drop, double bottom, double top,
+                                                    double release_clock);
 
 /// Voidage of a bed of `solids_volume` that fills a column of cross-section `area` up to `height` evenly.
 double voidage_from_height(double solids_volume, double area, double height);
@@ -88,11 +89,11 @@ std::optional<Passage> bed_passage(const DropSeries& drop, double bed_top);
 
 /// What the statistics of a drop need to know beside its history.
 struct DropSurroundings {
-  double bed_top = 0.0;          ///< mean height of the top of the bed before the drop [m]
-  double bed_diameter = 0.0;     ///< of the fluidised particles [m]
-  double sphere_diameter = 0.0;  ///< [m]
-  double sphere_density = 0.0;   ///< [kg/m³]
-  double release_clock = 0.0;    ///< time that the intercept counts from, see fit_classification [s]
+  double bed_top = 0.0;                                  ///< mean height of the top of the bed before the drop [m]
+  double bed_diameter = 0.0;                             ///< of the fluidised particles [m]
+  double sphere_diameter = 0.0;                          ///< [m]
+  double sphere_density = 0.0;                           ///< [kg/m³]
+  std::optional<ClassificationFit> classification = {};  ///< of the drop, see classification_of
 };
 
 /// Averages of one drop. Passage quantities run from entering the bed to the bottom (the paper's "entire settling
@@ -121,8 +122,8 @@ struct DropStatistics {
 
 DropStatistics analyse_drop(const DropSeries& drop, const DropSurroundings& surroundings);
 
-/// A sphere that ends its record slower than this is taken to rest on the bed [m/s]. At U_L = 0.05 m/s, where the
-/// paper's sphere is slowest but still falling, it needs 30 s for 0.2 m: 7 mm/s.
+/// A sphere that ends its record slower than this is taken to rest on the bed [m/s]. The slowest fall through a bed
+/// that is published, 0.2 m in 30 s (Peng et al. 2014, Fig. 7), is seven times as fast.
 inline constexpr double resting_speed = 1e-3;
 
 /// Unevenness of the plane y = 0 below the top of the bed.

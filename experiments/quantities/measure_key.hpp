@@ -11,6 +11,9 @@ namespace slfb {
 /// needs: "0.10", "0.105".
 std::string velocity_text(double value);
 
+/// The subject of a number that is of all systems together.
+inline constexpr std::string_view all_systems = "all";
+
 /// Names one measured number: which quantity, of what.
 ///
 /// The text form "quantity/subject[/at][/detail]" is for files and messages only: "pressure_drop/SYSTEM/0.06",

@@ -20,6 +20,7 @@ std::optional<FinishedRun> own_run(const RunSpec& spec, const Scene& scene, cons
 }
 
 std::optional<FinishedRun> published_run(const RunSpec& spec, const Scene& scene) {
+  if (spec.published.empty()) return std::nullopt;
   const auto file = published_file(spec);
   if (!std::filesystem::exists(file)) return std::nullopt;
   FinishedRun run{spec, scene, {}, true, false, {}};
@@ -68,14 +69,6 @@ std::vector<FinishedRun> published_runs(const Profile& profile) {
   std::vector<FinishedRun> runs;
   for (const RunSpec& spec : profile.runs)
     if (auto run = published_run(spec, load_run_scene(spec)); run && !run->stale) runs.push_back(std::move(*run));
-  return runs;
-}
-
-std::vector<FinishedRun> runs_with_own_springs(const std::filesystem::path& out) {
-  std::vector<FinishedRun> runs;
-  for (const char* profile : {"springs", "paper-steps"})
-    for (FinishedRun& run : finished_runs(load_profile(profile), out))
-      if (!run.stale) runs.push_back(std::move(run));
   return runs;
 }
 

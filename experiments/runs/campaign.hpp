@@ -16,20 +16,21 @@ namespace slfb {
 
 /// One simulation that figures share: a scene file and what a profile changes in it.
 struct RunSpec {
-  std::string system;           ///< "6in5W": foreign 6 mm in bed of 5 mm, water
+  std::string system;           ///< of the work: "6mm-in-5mm"
   double superficial_velocity;  ///< U_L [m/s]
   std::string variant;          ///< "" for the default drag law of the profile, else what differs ("di-felice-1994")
-  std::filesystem::path scene;  ///< relative to experiments/scenes
+  std::filesystem::path scene;
   Overrides overrides;
-  std::string profile = {};  ///< that it belongs to: "quick"
+  std::string profile = {};                   ///< that it belongs to: "quick"
+  std::vector<std::string> differences = {};  ///< Profile::differences of that profile
+  std::filesystem::path published = {};       ///< folder of the committed results of its work; empty: there are none
 };
 
 /// Names a run in lists of needed runs and on pages: "system/U_L" or "system/U_L/variant", U_L as velocity_text has it.
 std::string run_key(std::string_view system, double superficial_velocity, std::string_view variant = "");
 std::string run_key(const RunSpec& spec);
 
-/// The runs of a profile ("quick", "full") and what sets it apart from the paper, from
-/// experiments/peng_2014/profiles.toml.
+/// The runs of a profile ("quick", "full") and what sets it apart from the work that it reproduces.
 struct Profile {
   std::string name;
   std::vector<std::string> differences;  ///< sentences, shown on each figure
@@ -37,13 +38,6 @@ struct Profile {
   std::set<std::string> whole = {};     ///< run_key of those that figures draw sample by sample: published unthinned
   bool goes_on_from_published = false;  ///< what is published and up to date is not simulated again
 };
-Profile load_profile(const std::string& name);
-/// In the order of the file.
-std::vector<std::string> profile_names();
-
-/// The profile and the runs of the full one: what figures and claims use where results exist. Only the profile's own
-/// runs are simulated with it.
-Profile with_full_runs(Profile profile);
 
 /// A finished run with the specification it answers.
 struct FinishedRun {
@@ -55,8 +49,7 @@ struct FinishedRun {
   std::optional<RunSummary> summary = {};  ///< of the whole series, where `result` holds thinned ones
 };
 
-/// Finished runs of a profile: first this machine's (`out`/runs), then the committed ones
-/// (reports/published/peng_2014/runs).
+/// Finished runs of a profile: first this machine's (`out`/runs), then the committed ones (RunSpec::published).
 std::vector<FinishedRun> finished_runs(const Profile& profile, const std::filesystem::path& out);
 
 /// Those of `runs` that this machine made for the profile.
@@ -65,8 +58,5 @@ std::vector<FinishedRun> own_runs(std::vector<FinishedRun> runs, const std::stri
 /// The committed runs of a profile alone, those of an older numerics version left out: what a machine's own have to
 /// agree with.
 std::vector<FinishedRun> published_runs(const Profile& profile);
-
-/// Runs that keep the springs of the scene, where the other profiles soften them: those of springs and paper-steps.
-std::vector<FinishedRun> runs_with_own_springs(const std::filesystem::path& out);
 
 }  // namespace slfb

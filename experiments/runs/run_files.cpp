@@ -4,13 +4,9 @@
 
 #include <stdexcept>
 
-#include "solver/support/folders.hpp"
-
 namespace slfb {
 
-Scene load_run_scene(const RunSpec& spec) {
-  return load_scene(source_folder() / "experiments" / "peng_2014" / "scenes" / spec.scene, spec.overrides);
-}
+Scene load_run_scene(const RunSpec& spec) { return load_scene(spec.scene, spec.overrides); }
 
 std::filesystem::path run_directory(const std::filesystem::path& out, const std::string& hash) {
   return out / "runs" / hash;
@@ -32,7 +28,7 @@ namespace {
 
 std::filesystem::path published(const RunSpec& spec, const char* ending) {
   const std::string variant = spec.variant.empty() ? "default" : spec.variant;
-  return source_folder() / "reports" / "published" / "peng_2014" / "runs" / spec.profile /
+  return spec.published / spec.profile /
          fmt::format("{}_{}_{}{}", spec.system, velocity_text(spec.superficial_velocity), variant, ending);
 }
 
@@ -52,10 +48,11 @@ void thin(std::vector<double>& values, std::size_t stride) {
 std::filesystem::path published_file(const RunSpec& spec) { return published(spec, ".h5"); }
 std::filesystem::path published_summary(const RunSpec& spec) { return published(spec, ".json"); }
 
-void publish_result(const RunSpec& spec, const RunResult& result, bool whole) {
+void publish_result(const RunSpec& spec, const RunResult& result, bool whole, const MeasuringRules& rules) {
   const auto file = published_file(spec);
   std::filesystem::create_directories(file.parent_path());
-  save_summary(summarise(spec.system, parse_scene(result.scene_text, result.name), result), published_summary(spec));
+  save_summary(summarise(spec.system, parse_scene(result.scene_text, result.name), result, rules),
+               published_summary(spec), rules);
   RunResult thinned = result;
   for_each_column(thinned.bed, [](std::vector<double>& column) { thin(column, 5); });
   for (std::size_t d = whole ? 1 : 0; d < thinned.drops.size(); ++d)

@@ -8,7 +8,7 @@
 /// Where the scenes of a profile come from and where their results lie.
 namespace slfb {
 
-/// The scene of a specification with its overrides, read from experiments/scenes.
+/// The scene of a specification with its overrides.
 Scene load_run_scene(const RunSpec& spec);
 
 /// Folder of one run: checkpoint, snapshots, scene.toml and, once finished, result.h5.
@@ -20,7 +20,8 @@ std::filesystem::path result_file(const std::filesystem::path& out, const std::s
 /// Reads it. Throws std::runtime_error with the way out where it is damaged.
 RunResult load_own_result(const std::filesystem::path& out, const std::string& hash);
 
-/// The committed result of a specification: "quick/6in5W_0.06_default.h5" in reports/published/peng_2014/runs.
+/// The committed result of a specification: PROFILE/SYSTEM_0.06_VARIANT.h5 in its folder `published`, "default" for no
+/// variant.
 std::filesystem::path published_file(const RunSpec& spec);
 
 /// What was measured in it, from the whole series: the same name with .json.
@@ -28,7 +29,7 @@ std::filesystem::path published_summary(const RunSpec& spec);
 
 /// Puts a finished result where it can be committed: its summary, and its series thinned to what figures draw, the bed
 /// at every fifth sample and drops at every twentieth. With `whole` the first drop stays as it was recorded, and the
-/// snapshots stay.
-void publish_result(const RunSpec& spec, const RunResult& result, bool whole);
+/// snapshots stay. `rules` as for summarise.
+void publish_result(const RunSpec& spec, const RunResult& result, bool whole, const MeasuringRules& rules);
 
 }  // namespace slfb

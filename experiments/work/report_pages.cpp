@@ -49,8 +49,8 @@ const Figure& figure_named(const std::vector<Figure>& figures, const std::string
 }
 
 /// A study may have a profile of its own, which then has its name.
-bool has_own_profile(const Figure& figure) {
-  const std::vector<std::string> names = profile_names();
+bool has_own_profile(const Work& work, const Figure& figure) {
+  const std::vector<std::string> names = profile_names(work);
   return std::ranges::find(names, figure.id) != names.end();
 }
 
@@ -60,15 +60,15 @@ std::string readme(const Figure& figure) {
 }
 
 reports::FigurePage figure_page(const FigureOutput& output, const ReportInputs& inputs) {
-  const Figure& figure = figure_named(inputs.figures, output.id);
-  const bool own_profile = has_own_profile(figure);
+  const Work& work = inputs.work;
+  const Figure& figure = figure_named(work.figures, output.id);
+  const bool own_profile = has_own_profile(work, figure);
   reports::FigurePage page{output.id, figure.title, output.caption, readme(figure), {}, output.notes, {}, ""};
   for (const fs::path& data : output.data) page.data_files.push_back(data.filename().string());
-  page.run_keys = figure.needs(inputs.shown);
-  if (page.run_keys.empty() && own_profile) page.run_keys = figure.needs(load_profile(figure.id));
-  const std::string profile = !figure.needs(inputs.profile).empty() ? inputs.profile.name
-                              : own_profile                         ? figure.id
-                                                                    : "full";
+  page.run_keys = figure.needs(inputs.judgement.shown);
+  if (page.run_keys.empty() && own_profile) page.run_keys = figure.needs(load_profile(work, figure.id));
+  const Profile& asked = inputs.judgement.profile;
+  const std::string profile = !figure.needs(asked).empty() ? asked.name : own_profile ? figure.id : work.shown_beside;
   page.options = page.run_keys.empty() ? "--no-run" : "--profile " + profile;
   return page;
 }
@@ -116,20 +116,27 @@ reports::RunRow run_row(const FinishedRun& run, const fs::path& out) {
 }
 
 reports::ReportContents report_contents(const ReportInputs& inputs) {
+  const Work& work = inputs.work;
+  const Profile& profile = inputs.judgement.profile;
   reports::ReportContents contents;
-  contents.profile = inputs.profile.name;
-  contents.differences = inputs.profile.differences;
+  if (work.texts) contents.texts = work.texts();
+  contents.profile = profile.name;
+  contents.differences = profile.differences;
   std::set<std::string> wanted, available;
-  for (const RunSpec& spec : inputs.profile.runs) wanted.insert(run_key(spec));
+  for (const RunSpec& spec : profile.runs) wanted.insert(run_key(spec));
   for (const FinishedRun& run : inputs.runs)
     if (wanted.contains(run_key(run.spec))) available.insert(run_key(run.spec));
   contents.runs_wanted = wanted.size();
   contents.runs_available = available.size();
   contents.numerics_version = numerics_version;
-  for (const Evaluation& evaluation : inputs.evaluations) contents.claims.push_back(claim_row(evaluation));
+  for (const Evaluation& evaluation : inputs.judgement.evaluations) contents.claims.push_back(claim_row(evaluation));
   for (const FigureOutput& output : inputs.outputs) contents.figures.push_back(figure_page(output, inputs));
   for (const FinishedRun& run : inputs.runs) contents.runs.push_back(run_row(run, inputs.out));
-  contents.claims_json = claims_json(inputs.evaluations).dump(2) + "\n";
+  if (work.inconsistencies) contents.inconsistencies = work.inconsistencies();
+  for (const Quantity& quantity : work.measuring.quantities)
+    contents.quantities.push_back({quantity.id, quantity.title, quantity.unit, quantity.definition,
+                                   quantity.depends_on_contact_stiffness ? "softer contacts change it" : ""});
+  contents.claims_json = claims_json(inputs.judgement.evaluations).dump(2) + "\n";
   return contents;
 }
 

@@ -65,6 +65,11 @@ std::vector<std::string> TomlTable::texts(const std::string& key) {
   return values;
 }
 
+std::vector<std::string> TomlTable::text_or_texts(const std::string& key) {
+  const toml::node* node = find(key);
+  return node != nullptr && node->is_string() ? std::vector{text(key)} : texts(key);
+}
+
 std::vector<double> TomlTable::numbers(const std::string& key) {
   std::vector<double> values;
   const toml::node* node = find(key);

@@ -24,7 +24,9 @@ class TomlTable {
   [[nodiscard]] double number(const std::string& key, double otherwise);
   [[nodiscard]] bool flag(const std::string& key);                       ///< false without the key
   [[nodiscard]] std::vector<std::string> texts(const std::string& key);  ///< empty without the key
-  [[nodiscard]] std::vector<double> numbers(const std::string& key);     ///< empty without the key
+  /// A text alone, or an array of texts; empty without the key.
+  [[nodiscard]] std::vector<std::string> text_or_texts(const std::string& key);
+  [[nodiscard]] std::vector<double> numbers(const std::string& key);  ///< empty without the key
   /// A table whose values are all numbers; empty without the key.
   [[nodiscard]] std::map<std::string, double> numbers_by_name(const std::string& key);
   [[nodiscard]] bool has(const std::string& key) const { return table_.contains(key); }

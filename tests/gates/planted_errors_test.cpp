@@ -9,7 +9,9 @@
 #include <utility>
 
 #include "experiments/claims/claims.hpp"
+#include "experiments/peng_2014/measure_laws.hpp"
 #include "experiments/peng_2014/probes.hpp"
+#include "experiments/peng_2014/work.hpp"
 #include "experiments/runs/measure.hpp"
 #include "solver/laws/scene_file.hpp"
 #include "solver/support/folders.hpp"

@@ -13,7 +13,9 @@
 #include "experiments/numerics/frontier/study.hpp"
 #include "experiments/numerics/plan/plan.hpp"
 #include "experiments/numerics/stability/map.hpp"
+#include "experiments/peng_2014/figures.hpp"
 #include "experiments/peng_2014/planned_figures/figure_plans.hpp"
+#include "experiments/peng_2014/work.hpp"
 #include "experiments/runs/measure.hpp"
 #include "solver/support/folders.hpp"
 

@@ -182,12 +182,12 @@ DropStatistics statistics_of(const DropSeries& drop) {
                              .bed_diameter = 0.005,
                              .sphere_diameter = 0.006,
                              .sphere_density = 7800.0,
-                             .release_clock = 20.0});
+                             .classification = fit_classification(drop, 0.1, 0.2, 20.0)});
 }
 
 TEST(Drop, ClassificationVelocityIsTheSlopeInTheWindow) {
   const DropSeries drop = made_up_drop();
-  const auto fit = fit_classification(drop, 20.0);
+  const auto fit = fit_classification(drop, 0.1, 0.2, 20.0);
   ASSERT_TRUE(fit);
   EXPECT_NEAR(fit->velocity, settling, 1e-9);
   EXPECT_NEAR(fit->r_squared, 1.0, 1e-9);
@@ -199,7 +199,7 @@ TEST(Drop, ClassificationVelocityIsTheSlopeInTheWindow) {
 TEST(Drop, ASphereThatDoesNotPassTheWindowHasNoClassificationVelocity) {
   DropSeries drop = made_up_drop();
   for (double& z : drop.z) z = std::max(z, 0.15);
-  EXPECT_FALSE(fit_classification(drop, 20.0));
+  EXPECT_FALSE(fit_classification(drop, 0.1, 0.2, 20.0));
 }
 
 TEST(Drop, AveragesOverThePassageOfTheBed) {

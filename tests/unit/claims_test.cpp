@@ -15,12 +15,16 @@
 #include <string>
 #include <vector>
 
+#include "experiments/peng_2014/measure_laws.hpp"
+#include "experiments/peng_2014/reference.hpp"
+#include "experiments/peng_2014/work.hpp"
 #include "experiments/quantities/analysis.hpp"
-#include "experiments/reference/reference_data.hpp"
 #include "experiments/runs/measure.hpp"
 
 namespace slfb {
 namespace {
+
+bool needs_run(const MeasureKey& measure) { return slfb::needs_run(peng_2014_work(), measure); }
 
 /// The key of this text.
 MeasureKey key(std::string_view text) { return parse_measure_key(text); }
@@ -39,6 +43,7 @@ Claim made_up_claim() {
   claim.kind = StatementKind::value;
   claim.paper = claim.paper_upper = 10.0;
   claim.paper_band = Band{9.0, 11.0};
+  claim.systems = {"6in5W"};
   claim.measures = {key("mass/6in5W/0.06")};
   claim.regression_band = Band{9.5, 10.5};
   return claim;
@@ -303,7 +308,7 @@ std::string error_of(const std::string& text) {
   std::ofstream(file) << text;
   std::string message = "no error";
   try {
-    load_claims(file);
+    load_claims(file, peng_2014(), {"6in5W"});
   } catch (const std::runtime_error& error) {
     message = error.what();
   }
@@ -317,10 +322,10 @@ TEST(ClaimFile, MistakesAreNamedWithLineAndClaim) {
   const std::string measure = "measure = \"pressure_drop/6in5W/0.06\"\n";
   const std::string value = "equals = \"pressure_plateau\"\n";
   EXPECT_EQ(error_of(head + value + band + measure), "no error");
-  EXPECT_NE(error_of(head + value + band + measure + "colour = 1\n").find("claim fig05.a: unknown key \"colour\""),
+  EXPECT_NE(error_of(head + value + band + measure + "colour = 1\n").find("slfb_claims.toml:8: colour: "),
             std::string::npos);
-  EXPECT_NE(error_of(head + value + measure).find("\"paper_band\" is missing"), std::string::npos);
-  EXPECT_NE(error_of(head + value + band).find("\"measure\" is missing"), std::string::npos);
+  EXPECT_NE(error_of(head + value + measure).find("paper_band: is missing"), std::string::npos);
+  EXPECT_NE(error_of(head + value + band).find("measure: claim fig05.a: is missing"), std::string::npos);
   EXPECT_NE(error_of(head + band + measure).find("exactly one of"), std::string::npos);
   EXPECT_NE(error_of(head + "equals = \"nothing\"\n" + band + measure).find("\"nothing\""), std::string::npos);
   EXPECT_NE(error_of(head + value + band + "measure = [\"a/6in5W/0.06\", \"b/6in5W/0.06\"]\n").find("need \"reduce\""),

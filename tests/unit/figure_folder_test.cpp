@@ -10,6 +10,8 @@
 
 #include "experiments/figures/figure.hpp"
 #include "experiments/figures/figure_support.hpp"
+#include "experiments/peng_2014/figures.hpp"
+#include "experiments/peng_2014/work.hpp"
 #include "experiments/runs/run_files.hpp"
 #include "reports/gnuplot.hpp"
 #include "solver/support/files.hpp"

@@ -1,3 +1,5 @@
+#include "experiments/peng_2014/figures.hpp"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -15,7 +17,9 @@
 #include "experiments/figures/figure_support.hpp"
 #include "experiments/figures/sphere_picture.hpp"
 #include "experiments/peng_2014/inconsistencies.hpp"
+#include "experiments/peng_2014/measure_laws.hpp"
 #include "experiments/peng_2014/report_texts.hpp"
+#include "experiments/peng_2014/work.hpp"
 #include "experiments/runs/measure.hpp"
 #include "experiments/runs/run_files.hpp"
 #include "experiments/work/report_pages.hpp"
@@ -59,10 +63,9 @@ struct Drawn {
 /// The report of what was drawn, in `folder`/report.
 reports::ReportContents write_report_of(const Drawn& drawn, const std::vector<Evaluation>& evaluations,
                                         const fs::path& figures_folder, const fs::path& folder) {
-  reports::ReportContents contents =
-      report_contents({drawn.profile, drawn.profile, drawn.runs, figures(), drawn.outputs, evaluations, folder});
-  contents.texts = paper::report_texts();
-  contents.inconsistencies = inconsistencies();
+  const Judgement judgement{drawn.profile, drawn.profile, drawn.runs, drawn.measurements, evaluations};
+  const reports::ReportContents contents =
+      report_contents({peng_2014_work(), judgement, drawn.runs, drawn.outputs, folder});
   reports::write_report(contents, figures_folder, folder / "report");
   return contents;
 }
@@ -71,7 +74,7 @@ Drawn draw_all(bool with_runs, const fs::path& folder) {
   Drawn drawn;
   if (with_runs) drawn.runs = synthetic::runs(drawn.profile);
   drawn.measurements = measure_without_runs();
-  drawn.measurements.merge(measure_runs(drawn.runs));
+  drawn.measurements.merge(measure_runs(drawn.runs, peng_2014_work().measuring));
   for (const auto& figure : figures())
     drawn.outputs.push_back(figure.draw({drawn.profile, drawn.runs, drawn.measurements, folder, folder}));
   return drawn;

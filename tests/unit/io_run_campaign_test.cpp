@@ -11,13 +11,16 @@
 #include "experiments/runs/run_files.hpp"
 #include "experiments/runs/run_lock.hpp"
 #include "experiments/runs/stop_signals.hpp"
+#include "solver/support/folders.hpp"
 
 namespace slfb {
 namespace {
 
+const std::filesystem::path single_sphere = source_folder() / "experiments/scenes/single_sphere.toml";
+
 /// A steel sphere in water at rest: takes milliseconds.
 Scene falling_sphere(double release_height) {
-  RunSpec spec{"sphere", 0.0, "", "single_sphere.toml", {}};
+  RunSpec spec{"sphere", 0.0, "", single_sphere, {}};
   spec.overrides.push_back("stage[0].release_height=" + std::to_string(release_height) + " m");
   return load_run_scene(spec);
 }
@@ -71,8 +74,8 @@ TEST_F(RunCampaignTest, AFailureDoesNotStopTheOthers) {
 }
 
 TEST_F(RunCampaignTest, FinishedRunsAreFoundAndMissingOnesLeftOut) {
-  const RunSpec done{"sphere", 0.0, "low", "single_sphere.toml", {"stage[0].release_height=0.2 m"}};
-  const RunSpec missing{"sphere", 0.0, "high", "single_sphere.toml", {"stage[0].release_height=0.4 m"}};
+  const RunSpec done{"sphere", 0.0, "low", single_sphere, {"stage[0].release_height=0.2 m"}};
+  const RunSpec missing{"sphere", 0.0, "high", single_sphere, {"stage[0].release_height=0.4 m"}};
   EXPECT_EQ(run_campaign({done}, options()).finished, 1);
   const std::vector<FinishedRun> runs = finished_runs({"test", {}, {done, missing}}, out_);
   ASSERT_EQ(runs.size(), 1U);

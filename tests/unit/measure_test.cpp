@@ -4,13 +4,21 @@
 
 #include <cmath>
 #include <numbers>
+#include <set>
 #include <string>
 #include <vector>
 
 #include "correlations/materials.hpp"
+#include "experiments/peng_2014/measure_laws.hpp"
+#include "experiments/peng_2014/work.hpp"
 
 namespace slfb {
 namespace {
+
+Measurements measured_in(const std::vector<FinishedRun>& runs) {
+  return slfb::measure_runs(runs, peng_2014_work().measuring);
+}
+bool needs_run(const MeasureKey& measure) { return slfb::needs_run(peng_2014_work(), measure); }
 
 /// The key of this text.
 MeasureKey key(std::string_view text) { return parse_measure_key(text); }
@@ -117,10 +125,10 @@ TEST(MeasureKey, TellsRunsFromLaws) {
   EXPECT_FALSE(needs_run(key("terminal_velocity/steel-6mm-water")));
 }
 
-TEST(MeasureRuns, WithoutRunsThereIsNothing) { EXPECT_TRUE(measure_runs({}).empty()); }
+TEST(MeasureRuns, WithoutRunsThereIsNothing) { EXPECT_TRUE(measured_in({}).empty()); }
 
 TEST(MeasureRuns, NumbersOfAKnownRun) {
-  const auto measured = measure_runs({made_up_run(0.06, "a", 0.46, 1450.0, {0.09, 0.10, 0.11})});
+  const auto measured = measured_in({made_up_run(0.06, "a", 0.46, 1450.0, {0.09, 0.10, 0.11})});
   const auto at = [&](const std::string& quantity) { return measured.at(measure_key(quantity, "6in5W", 0.06)); };
   EXPECT_NEAR(at("voidage_centre_of_mass").value, 0.46, 1e-12);
   EXPECT_NEAR(at("voidage_bed_top").value, 0.46, 1e-12);
@@ -151,8 +159,8 @@ TEST(MeasureRuns, NumbersOfAKnownRun) {
 // stand under the same key: they say nothing of times.
 TEST(MeasureRuns, TimesSinceTheReleaseAreThoseOfThePapersHeight) {
   const auto low = made_up_run(0.06, "low", 0.46, 1450.0, {0.09, 0.11});
-  EXPECT_FALSE(measure_runs({low}).contains(key("time_to_bottom/6in5W/0.06")));
-  const auto measured = measure_runs({low, made_up_run(0.06, "high", 0.46, 1450.0, {0.08, 0.10}, 0.997)});
+  EXPECT_FALSE(measured_in({low}).contains(key("time_to_bottom/6in5W/0.06")));
+  const auto measured = measured_in({low, made_up_run(0.06, "high", 0.46, 1450.0, {0.08, 0.10}, 0.997)});
   EXPECT_NEAR(measured.at(key("classification_intercept/6in5W/0.06")).value, 0.997 + 20.0 * 0.09, 1e-6);
   EXPECT_NEAR(measured.at(key("time_to_bottom/6in5W/0.06")).value, 0.5 * (0.994 / 0.08 + 0.994 / 0.10), 2e-3);
   EXPECT_NEAR(measured.at(key("classification_velocity/6in5W/0.06")).value, 0.095, 1e-9);
@@ -162,7 +170,7 @@ TEST(MeasureRuns, ADropThatIsCutShortSaysNothingAboutLaterTimes) {
   FinishedRun run = made_up_run(0.05, "a", 0.43, 1450.0, {0.05});
   DropSeries& drop = run.result.drops.front();
   drop.bottom_time = -1.0;  // followed for about 10 s
-  const auto measured = measure_runs({run});
+  const auto measured = measured_in({run});
   EXPECT_FALSE(measured.contains(key("falling_after_15_s/6in5W/0.05")));
   EXPECT_DOUBLE_EQ(measured.at(key("bottom_fraction/6in5W/0.05")).value, 0.0);
   EXPECT_FALSE(measured.contains(key("time_to_bottom/6in5W/0.05")));
@@ -174,21 +182,21 @@ TEST(MeasureRuns, ASphereThatRestsDoesNotFall) {
   DropSeries& drop = run.result.drops.front();
   ASSERT_GT(drop.time.back(), 15.0);
   drop.bottom_time = -1.0;
-  EXPECT_DOUBLE_EQ(measure_runs({run}).at(key("falling_after_15_s/6in5W/0.05")).value, 1.0);
+  EXPECT_DOUBLE_EQ(measured_in({run}).at(key("falling_after_15_s/6in5W/0.05")).value, 1.0);
   for (double& z : drop.z) z = std::max(z, 0.215);
-  const auto resting = measure_runs({run});
+  const auto resting = measured_in({run});
   EXPECT_DOUBLE_EQ(resting.at(key("falling_after_15_s/6in5W/0.05")).value, 0.0);
   EXPECT_DOUBLE_EQ(resting.at(key("bottom_fraction/6in5W/0.05")).value, 0.0);
 }
 
 TEST(MeasureRuns, ASingleDropHasNoInterval) {
-  const auto measured = measure_runs({made_up_run(0.06, "a", 0.46, 1450.0, {0.10})});
+  const auto measured = measured_in({made_up_run(0.06, "a", 0.46, 1450.0, {0.10})});
   EXPECT_TRUE(std::isnan(measured.at(key("classification_velocity/6in5W/0.06")).half_width));
 }
 
 TEST(MeasureRuns, RunsOfOneKeyAreReplicates) {
   const auto measured =
-      measure_runs({made_up_run(0.06, "a", 0.46, 1440.0, {0.10}), made_up_run(0.06, "b", 0.46, 1460.0, {0.12})});
+      measured_in({made_up_run(0.06, "a", 0.46, 1440.0, {0.10}), made_up_run(0.06, "b", 0.46, 1460.0, {0.12})});
   EXPECT_NEAR(measured.at(key("pressure_drop/6in5W/0.06")).value, 1450.0, 1e-9);
   EXPECT_GT(measured.at(key("pressure_drop/6in5W/0.06")).half_width, 0.0);
   EXPECT_EQ(measured.at(key("classification_velocity/6in5W/0.06")).samples, 2u);
@@ -197,11 +205,11 @@ TEST(MeasureRuns, RunsOfOneKeyAreReplicates) {
 // What a published run lost by thinning stands in its summary: its numbers are those of the whole series.
 TEST(MeasureRuns, ASummaryStandsForItsSeries) {
   FinishedRun thinned = made_up_run(0.06, "a", 0.46, 1440.0, {0.10, 0.12});
-  const auto whole = measure_runs({thinned});
-  thinned.summary = summarise(thinned.spec.system, thinned.scene, thinned.result);
+  const auto whole = measured_in({thinned});
+  thinned.summary = summarise(thinned.spec.system, thinned.scene, thinned.result, peng_2014_work().measuring);
   thinned.result.bed = {};
   thinned.result.drops.clear();
-  const auto measured = measure_runs({thinned});
+  const auto measured = measured_in({thinned});
   ASSERT_EQ(measured.size(), whole.size());
   for (const auto& [name, measurement] : whole) {
     EXPECT_EQ(measured.at(name).value, measurement.value) << to_string(name);
@@ -215,7 +223,7 @@ TEST(MeasureRuns, BedsAreWeightedByTheirIntervals) {
   FinishedRun a = made_up_run(0.06, "a", 0.46, 1440.0, {}), b = made_up_run(0.06, "b", 0.46, 1440.0, {});
   a.summary.emplace().bed["pressure_drop"] = {1450.0, 2.0, 1.0, 50.0, 0};
   b.summary.emplace().bed["pressure_drop"] = {1456.0, 1.0, 1.0, 50.0, 0};
-  const Measurement pooled = measure_runs({a, b}).at(key("pressure_drop/6in5W/0.06"));
+  const Measurement pooled = measured_in({a, b}).at(key("pressure_drop/6in5W/0.06"));
   EXPECT_NEAR(pooled.value, 1454.8, 1e-9);
   // χ² = (4.8/1)² + (1.2/0.5)² = 28.8 of one degree of freedom, over the plain interval √(4/5).
   EXPECT_NEAR(pooled.half_width, std::sqrt(28.8) * std::sqrt(0.8), 1e-9);
@@ -226,33 +234,33 @@ TEST(MeasureRuns, TheSameRunFromTwoPlacesCountsOnce) {
   const FinishedRun here = made_up_run(0.06, "a", 0.46, 1450.0, {0.10});
   FinishedRun published = here;
   published.published = true;
-  EXPECT_EQ(measure_runs({here, published}).at(key("classification_velocity/6in5W/0.06")).samples, 1u);
+  EXPECT_EQ(measured_in({here, published}).at(key("classification_velocity/6in5W/0.06")).samples, 1u);
 }
 
 TEST(MeasureRuns, AStaleRunCountsOnlyAlone) {
   FinishedRun stale = made_up_run(0.06, "old", 0.50, 1400.0, {0.20});
   stale.stale = true;
   const FinishedRun current = made_up_run(0.06, "new", 0.46, 1450.0, {0.10});
-  EXPECT_NEAR(measure_runs({stale, current}).at(key("pressure_drop/6in5W/0.06")).value, 1450.0, 1e-9);
-  EXPECT_NEAR(measure_runs({stale}).at(key("pressure_drop/6in5W/0.06")).value, 1400.0, 1e-9);
+  EXPECT_NEAR(measured_in({stale, current}).at(key("pressure_drop/6in5W/0.06")).value, 1450.0, 1e-9);
+  EXPECT_NEAR(measured_in({stale}).at(key("pressure_drop/6in5W/0.06")).value, 1400.0, 1e-9);
 }
 
 TEST(MeasureRuns, VariantsStandApart) {
   FinishedRun variant = made_up_run(0.06, "v", 0.50, 1400.0, {0.20});
   variant.spec.variant = "di-felice-1994";
-  const auto measured = measure_runs({made_up_run(0.06, "a", 0.46, 1450.0, {0.10}), variant});
+  const auto measured = measured_in({made_up_run(0.06, "a", 0.46, 1450.0, {0.10}), variant});
   EXPECT_NEAR(measured.at(key("voidage_centre_of_mass/6in5W/0.06")).value, 0.46, 1e-12);
   EXPECT_NEAR(measured.at(key("voidage_centre_of_mass/6in5W/0.06/di-felice-1994")).value, 0.50, 1e-12);
 }
 
 TEST(MeasureRuns, QuantitiesAtAVoidageLieOnALineBetweenTheRuns) {
   // Both runs have 100 collisions a second and a drag that does not depend on the voidage: so has the line.
-  const auto flat = measure_runs(
+  const auto flat = measured_in(
       {made_up_run(0.06, "a", 0.44, 1450.0, {0.10, 0.11}), made_up_run(0.07, "b", 0.48, 1450.0, {0.10, 0.12})});
   EXPECT_NEAR(flat.at(key("collision_frequency_at_voidage/6in5W/0.46")).value, 100.0, 1e-6);
   EXPECT_FALSE(flat.contains(key("collision_frequency_at_voidage/6in5W/0.58"))) << "no run is near";
   // A single run stands for a voidage that it misses by less than 0.01, and for no other.
-  const auto single = measure_runs({made_up_run(0.06, "a", 0.455, 1450.0, {0.10, 0.11})});
+  const auto single = measured_in({made_up_run(0.06, "a", 0.455, 1450.0, {0.10, 0.11})});
   EXPECT_TRUE(single.contains(key("drag_ratio_at_voidage/6in5W/0.46")));
   EXPECT_FALSE(single.contains(key("drag_ratio_at_voidage/6in5W/0.52")));
 }
@@ -262,14 +270,14 @@ TEST(MeasureRuns, QuantitiesAtAVoidageInterpolate) {
   for (double& contacts : low.result.drops.front().contacts) contacts = 1.0;
   for (double& contacts : high.result.drops.front().contacts) contacts = 4.0;
   // A third of the way from 0.44 to 0.50.
-  EXPECT_NEAR(measure_runs({low, high}).at(key("mean_contacts_at_voidage/6in5W/0.46")).value, 2.0, 1e-9);
+  EXPECT_NEAR(measured_in({low, high}).at(key("mean_contacts_at_voidage/6in5W/0.46")).value, 2.0, 1e-9);
 }
 
 TEST(MeasureRuns, ShareOfRunsWithinTenPercentOfEquation40) {
   // Force over weight 0.5 in every made-up run; Eq. 40 gives 0.500 at 0.763 and 0.916 at 0.46.
   const auto measured =
-      measure_runs({made_up_run(0.06, "a", 0.46, 1450.0, {0.10}), made_up_run(0.20, "b", 0.763, 1450.0, {0.10}),
-                    made_up_run(0.21, "c", 0.760, 1450.0, {0.10})});
+      measured_in({made_up_run(0.06, "a", 0.46, 1450.0, {0.10}), made_up_run(0.20, "b", 0.763, 1450.0, {0.10}),
+                   made_up_run(0.21, "c", 0.760, 1450.0, {0.10})});
   EXPECT_NEAR(measured.at(key("equation_40_share_within_10_percent/all")).value, 2.0 / 3.0, 1e-12);
   EXPECT_GT(measured.at(key("equation_40_share_within_10_percent/all")).half_width, 0.3) << "three runs say little";
 }
@@ -277,8 +285,8 @@ TEST(MeasureRuns, ShareOfRunsWithinTenPercentOfEquation40) {
 TEST(MeasureRuns, MinimumFluidisationIsTheCrossingOfTheTwoLines) {
   const auto line = [](double velocity) { return 51750.0 * velocity - 676.42; };
   const auto measured =
-      measure_runs({made_up_run(0.03, "a", 0.40, line(0.03), {}), made_up_run(0.04, "b", 0.40, line(0.04), {}),
-                    made_up_run(0.06, "c", 0.46, 1500.0, {}), made_up_run(0.10, "d", 0.56, 1540.0, {})});
+      measured_in({made_up_run(0.03, "a", 0.40, line(0.03), {}), made_up_run(0.04, "b", 0.40, line(0.04), {}),
+                   made_up_run(0.06, "c", 0.46, 1500.0, {}), made_up_run(0.10, "d", 0.56, 1540.0, {})});
   EXPECT_NEAR(measured.at(key("packed_line_slope/6in5W")).value, 51750.0, 1e-6);
   EXPECT_NEAR(measured.at(key("packed_line_intercept/6in5W")).value, -676.42, 1e-6);
   EXPECT_NEAR(measured.at(key("pressure_plateau/6in5W")).value, 1520.0, 1e-9);
@@ -286,9 +294,9 @@ TEST(MeasureRuns, MinimumFluidisationIsTheCrossingOfTheTwoLines) {
 }
 
 TEST(MeasureRuns, EarlyRiseOfTable2) {
-  const auto measured = measure_runs({made_up_run(0.06, "a", 0.46, 1450.0, {0.097, 0.097}),
-                                      made_up_run(0.09, "b", 0.54, 1450.0, {0.229, 0.229}),
-                                      made_up_run(0.24, "c", 0.79, 1450.0, {0.422, 0.422})});
+  const auto measured = measured_in({made_up_run(0.06, "a", 0.46, 1450.0, {0.097, 0.097}),
+                                     made_up_run(0.09, "b", 0.54, 1450.0, {0.229, 0.229}),
+                                     made_up_run(0.24, "c", 0.79, 1450.0, {0.422, 0.422})});
   // (0.132/0.03) / (0.193/0.15), to the accuracy of the sampled lines.
   EXPECT_NEAR(measured.at(key("classification_velocity_rise_ratio/6in5W")).value, 3.4197, 1e-3);
 }
@@ -309,6 +317,25 @@ TEST(MeasureLaws, HandComputedNumbers) {
   }
 }
 
+// The report and `slfb list quantities` describe each number that a work has, in its unit.
+TEST(Quantities, EveryNumberOfLawsAndProbesHasOne) {
+  for (const auto& [measure, measurement] : measure_without_runs()) {
+    const Quantity* quantity = find_quantity(peng_2014_work().measuring, measure.quantity);
+    ASSERT_NE(quantity, nullptr) << to_string(measure);
+    EXPECT_EQ(quantity->unit, measurement.unit) << to_string(measure);
+  }
+}
+
+TEST(Quantities, AreDefinedOnce) {
+  std::set<std::string> ids;
+  for (const Quantity& quantity : peng_2014_work().measuring.quantities) {
+    EXPECT_TRUE(ids.insert(quantity.id).second) << quantity.id;
+    EXPECT_FALSE(quantity.unit.empty()) << quantity.id;
+    EXPECT_FALSE(quantity.title.empty()) << quantity.id;
+    EXPECT_TRUE(quantity.definition.ends_with('.')) << quantity.id;
+  }
+}
+
 // Contacts are taken from runs with the scene's own springs, all those of a system or none: one velocity of another
 // kind would make a step in a trend. What does not hang on the springs, variants and other systems stay as they are.
 TEST(OwnSprings, CountTheContactsOfAWholeSystem) {
@@ -323,12 +350,12 @@ TEST(OwnSprings, CountTheContactsOfAWholeSystem) {
   Measurements stiff{{key("collision_frequency/6in5W/0.06"), of(15)},
                      {key("classification_velocity/6in5W/0.06"), of(0.1)}};
   Measurements taken = soft;
-  take_contacts_from(stiff, taken);
+  take_contacts_from(stiff, peng_2014_work().measuring, taken);
   EXPECT_EQ(taken.at(key("collision_frequency/6in5W/0.06")).value, 10) << "one velocity is not enough";
   EXPECT_FALSE(taken.contains(key("classification_velocity/6in5W/0.06")));
 
   stiff[key("collision_frequency/6in5W/0.10")] = of(45);
-  take_contacts_from(stiff, taken);
+  take_contacts_from(stiff, peng_2014_work().measuring, taken);
   EXPECT_EQ(taken.at(key("collision_frequency/6in5W/0.06")).value, 15);
   EXPECT_EQ(taken.at(key("collision_frequency/6in5W/0.10")).value, 45);
   EXPECT_FALSE(taken.contains(key("collision_frequency/6in5W/0.08"))) << "of the soft kind";

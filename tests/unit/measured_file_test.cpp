@@ -7,6 +7,7 @@
 #include <fstream>
 #include <string>
 
+#include "experiments/peng_2014/work.hpp"
 #include "tests/unit/folder.hpp"
 
 namespace slfb {

@@ -8,6 +8,7 @@
 #include <sstream>
 #include <string>
 
+#include "experiments/peng_2014/work.hpp"
 #include "experiments/runs/campaign.hpp"
 #include "solver/support/folders.hpp"
 

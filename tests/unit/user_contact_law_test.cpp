@@ -13,6 +13,7 @@
 #include "solver/dem/linear_spring_dashpot.hpp"
 #include "solver/laws/make_engine.hpp"
 #include "solver/laws/scene_file.hpp"
+#include "solver/support/folders.hpp"
 #include "tests/unit/user_law_files.hpp"
 
 namespace slfb {
@@ -142,7 +143,8 @@ TEST_F(UserContactLaw, AFileThatHandsNoContactLawOverIsRefused) {
 class UserContactLawInAScene : public UserContactLaw {
  protected:
   static Scene sphere(const std::string& law) {
-    return load_run_scene({"sphere", 0.0, "", "single_sphere.toml", {"contact.law=" + law}});
+    return load_run_scene(
+        {"sphere", 0.0, "", source_folder() / "experiments/scenes/single_sphere.toml", {"contact.law=" + law}});
   }
   static std::string message_of(const std::string& law) {
     try {
@@ -184,7 +186,9 @@ TEST_F(UserContactLawInAScene, ErrorsNameTheKey) {
 // What the file says of the linear law has no meaning beside another; what the command line says of it is an error.
 TEST(ContactLawOverride, SpeaksForTheWholeChoice) {
   const auto load = [](std::vector<std::string> overrides) {
-    return load_run_scene({"slice", 0.0, "", "6in5W_one-dimensional.toml", std::move(overrides)});
+    return load_run_scene({"slice", 0.0, "",
+                           source_folder() / "experiments/peng_2014/scenes/6in5W_one-dimensional.toml",
+                           std::move(overrides)});
   };
   const Scene scene = load({"contact.law=hertz", "contact.youngs_modulus=8e6 Pa"});
   EXPECT_EQ(scene.contact.law, "hertz");

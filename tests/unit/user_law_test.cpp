@@ -11,6 +11,7 @@
 #include "correlations/drag/wen_yu_1966.hpp"
 #include "experiments/runs/run_campaign.hpp"
 #include "experiments/runs/run_files.hpp"
+#include "solver/support/folders.hpp"
 #include "tests/unit/user_law_files.hpp"
 
 namespace slfb {
@@ -96,7 +97,8 @@ TEST_F(UserLaw, ItsNameIsItsOwn) {
 class UserLawInAScene : public UserLaw {
  protected:
   static Scene sphere(const std::string& law) {
-    return load_run_scene({"sphere", 0.0, "", "single_sphere.toml", {"coupling.drag_law=" + law}});
+    return load_run_scene(
+        {"sphere", 0.0, "", source_folder() / "experiments/scenes/single_sphere.toml", {"coupling.drag_law=" + law}});
   }
 };
 

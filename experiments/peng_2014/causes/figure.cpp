@@ -8,6 +8,7 @@
 #include "experiments/figures/figure_support.hpp"
 #include "experiments/peng_2014/causes/causes.hpp"
 #include "experiments/peng_2014/figures.hpp"
+#include "experiments/peng_2014/work.hpp"
 #include "experiments/runs/measure.hpp"
 
 namespace slfb {
@@ -40,14 +41,14 @@ constexpr std::array changes{
     Change{"causes", "gibilaro-1985", "Gibilaro's drag"},
 };
 
-struct Quantity {
+struct ShownQuantity {
   const char *name, *title;
 };
 constexpr std::array quantities{
-    Quantity{"packed_voidage", "packed bed"},   Quantity{"voidage_centre_of_mass", "voidage"},
-    Quantity{"classification_velocity", "V_2"}, Quantity{"collision_force_ratio", "|F_c|/mg"},
-    Quantity{"drag_ratio", "drag/mg"},          Quantity{"collision_frequency", "f_{coll}"},
-    Quantity{"mean_contacts", "contacts"},      Quantity{"fluctuating_energy", "q_p^2"}};
+    ShownQuantity{"packed_voidage", "packed bed"},   ShownQuantity{"voidage_centre_of_mass", "voidage"},
+    ShownQuantity{"classification_velocity", "V_2"}, ShownQuantity{"collision_force_ratio", "|F_c|/mg"},
+    ShownQuantity{"drag_ratio", "drag/mg"},          ShownQuantity{"collision_frequency", "f_{coll}"},
+    ShownQuantity{"mean_contacts", "contacts"},      ShownQuantity{"fluctuating_energy", "q_p^2"}};
 
 /// Measurements of one variant under the keys of the unchanged scene.
 Measurements measured(const Profile& profile, const std::string& variant, const std::filesystem::path& results) {
@@ -56,7 +57,7 @@ Measurements measured(const Profile& profile, const std::string& variant, const 
     return run.spec.system != system_name || run.spec.variant != variant || run.stale;
   });
   for (FinishedRun& run : runs) run.spec.variant.clear();
-  return measure_runs(runs);
+  return measure_runs(runs, peng_2014_work().measuring);
 }
 
 Measurements base_measurements(const std::filesystem::path& results) {
@@ -83,21 +84,21 @@ Ratio ratio_of(const Measurements& ours, const Measurements& base, const Measure
 FigureOutput draw(const FigureContext& outer) {
   const Profile profile = load_profile("causes");
   const auto runs = finished_runs(profile, outer.results);
-  const Measurements own = measure_runs(runs), base = base_measurements(outer.results);
+  const Measurements own = measure_runs(runs, peng_2014_work().measuring), base = base_measurements(outer.results);
   const FigureContext context{profile, runs, own, outer.out, outer.results};
   const auto keys = needs(profile);
   FigureOutput output{"causes", {}, folder.caption(), run_notes(context, keys)};
 
   DataTable table{"causes", {"row [-]"}, {}};
   for (const double velocity : velocities)
-    for (const Quantity& quantity : quantities)
+    for (const ShownQuantity& quantity : quantities)
       for (const char* what : {"ratio", "half width"})
         table.columns.push_back(fmt::format("{} {} at {:.2f} m/s [-]", quantity.name, what, velocity));
   for (std::size_t k = 0; k < changes.size(); ++k) {
     const Measurements changed = measured(load_profile(changes[k].profile), changes[k].variant, outer.results);
     std::vector<double> row{static_cast<double>(k)};
     for (const double velocity : velocities)
-      for (const Quantity& quantity : quantities) {
+      for (const ShownQuantity& quantity : quantities) {
         const Ratio ratio = ratio_of(changed, base, measure_key(quantity.name, system_name, velocity));
         row.insert(row.end(), {ratio.value, ratio.half_width});
       }
@@ -108,7 +109,7 @@ FigureOutput draw(const FigureContext& outer) {
   PlotValues values;
   std::vector<std::string> change_titles, quantity_titles;
   for (const Change& change : changes) change_titles.emplace_back(change.title);
-  for (const Quantity& quantity : quantities) quantity_titles.emplace_back(quantity.title);
+  for (const ShownQuantity& quantity : quantities) quantity_titles.emplace_back(quantity.title);
   values.texts("change", change_titles);
   values.markups("quantity", quantity_titles);
   values.numbers("velocity", {velocities.begin(), velocities.end()});
@@ -120,7 +121,7 @@ FigureOutput draw(const FigureContext& outer) {
 /// springs, so that what hangs on these would show two changes.
 bool is_of_this_bed(const Claim& claim) {
   return !claim.measures.empty() && std::all_of(claim.measures.begin(), claim.measures.end(), [](const auto& measure) {
-    if (depends_on_contact_stiffness(measure.quantity)) return false;
+    if (depends_on_contact_stiffness(peng_2014_work().measuring, measure.quantity)) return false;
     return std::any_of(velocities.begin(), velocities.end(), [&](double velocity) {
       return measure == measure_key(measure.quantity, system_name, velocity);
     });

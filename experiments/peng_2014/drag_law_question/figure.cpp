@@ -13,7 +13,8 @@
 #include "experiments/figures/figure_support.hpp"
 #include "experiments/peng_2014/figures.hpp"
 #include "experiments/peng_2014/paper_conditions.hpp"
-#include "experiments/reference/reference_data.hpp"
+#include "experiments/peng_2014/reference.hpp"
+#include "experiments/peng_2014/work.hpp"
 #include "experiments/runs/measure.hpp"
 
 namespace slfb {
@@ -70,7 +71,7 @@ Value measured(const Measurements& measurements, const char* quantity, double ve
 FigureOutput draw(const FigureContext& outer) {
   const Profile profile = load_profile("drag-law");
   const auto runs = finished_runs(profile, outer.results);
-  const Measurements measurements = measure_runs(runs);
+  const Measurements measurements = measure_runs(runs, peng_2014_work().measuring);
   const FigureContext context{profile, runs, measurements, outer.out, outer.results};
   const auto keys = needs(profile);
   FigureOutput output{"drag-law", {}, "", run_notes(context, keys)};

@@ -7,7 +7,7 @@
 #include "experiments/figures/figure_folder.hpp"
 #include "experiments/figures/figure_support.hpp"
 #include "experiments/peng_2014/figures.hpp"
-#include "experiments/reference/reference_data.hpp"
+#include "experiments/peng_2014/reference.hpp"
 #include "experiments/runs/run_files.hpp"
 #include "solver/fluid/column_grid.hpp"
 #include "solver/support/folders.hpp"

@@ -8,7 +8,7 @@
 #include "experiments/figures/figure_support.hpp"
 #include "experiments/figures/sphere_picture.hpp"
 #include "experiments/peng_2014/figures.hpp"
-#include "experiments/reference/reference_data.hpp"
+#include "experiments/peng_2014/reference.hpp"
 
 namespace slfb {
 namespace {

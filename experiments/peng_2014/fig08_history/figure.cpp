@@ -12,8 +12,8 @@
 #include "experiments/figures/figure_support.hpp"
 #include "experiments/peng_2014/figures.hpp"
 #include "experiments/peng_2014/paper_conditions.hpp"
+#include "experiments/peng_2014/reference.hpp"
 #include "experiments/quantities/analysis.hpp"
-#include "experiments/reference/reference_data.hpp"
 #include "experiments/runs/measure.hpp"
 #include "solver/run/one_particle.hpp"
 

@@ -7,8 +7,9 @@
 #include "experiments/figures/figure_folder.hpp"
 #include "experiments/figures/figure_support.hpp"
 #include "experiments/peng_2014/figures.hpp"
+#include "experiments/peng_2014/reference.hpp"
+#include "experiments/peng_2014/work.hpp"
 #include "experiments/quantities/analysis.hpp"
-#include "experiments/reference/reference_data.hpp"
 #include "experiments/runs/measure.hpp"
 
 namespace slfb {
@@ -27,21 +28,22 @@ std::vector<std::string> needs(const Profile& profile) {
 /// Samples and fitted lines of all drops at one velocity, on a clock that reads zero where the line passes the top of
 /// the window. Returns whether there is any.
 bool tabulate(const FigureContext& context, double velocity, DataTable& samples, DataTable& fits) {
+  const auto [window_bottom, window_top] = *peng_2014_work().measuring.classification_window;
   int number = 0;
   const std::string key = run_key("6in5W", velocity);
   for (const auto& run : context.runs) {
     if (run_key(run.spec) != key) continue;
     for (const auto& drop : run.result.drops) {
-      const auto fit = fit_classification(drop, 0.0);
+      const auto fit = classification_of(drop, run.scene, peng_2014_work().measuring);
       if (!fit || fit->velocity <= 0.0) continue;
       ++number;
-      const double origin = (fit->intercept - classification_window_top) / fit->velocity;
+      const double origin = (fit->intercept - window_top) / fit->velocity;
       const double margin = 0.01;  // of height, shown above and below the window [m]
       double last_time = -1.0;
       for (std::size_t i = 0; i < drop.time.size(); ++i) {
-        if (drop.z[i] < classification_window_bottom - margin) break;
+        if (drop.z[i] < window_bottom - margin) break;
         // 200 points a second are enough for the eye and keep the SVG small.
-        if (drop.z[i] > classification_window_top + margin || drop.time[i] - last_time < 0.0049) continue;
+        if (drop.z[i] > window_top + margin || drop.time[i] - last_time < 0.0049) continue;
         last_time = drop.time[i];
         samples.rows.push_back({static_cast<double>(number), drop.time[i] - origin, drop.z[i]});
       }
@@ -53,10 +55,11 @@ bool tabulate(const FigureContext& context, double velocity, DataTable& samples,
 
 FigureOutput draw(const FigureContext& context) {
   const auto keys = needs(context.profile);
-  const std::string top = fmt::format("{:.1f}", classification_window_top);
+  const auto [window_bottom, window_top] = *peng_2014_work().measuring.classification_window;
+  const std::string top = fmt::format("{:.1f}", window_top);
   FigureOutput output{"fig09",
                       {},
-                      folder.caption({{"bottom", fmt::format("{:.1f}", classification_window_bottom)}, {"top", top}}),
+                      folder.caption({{"bottom", fmt::format("{:.1f}", window_bottom)}, {"top", top}}),
                       run_notes(context, keys)};
 
   std::set<double> velocities;

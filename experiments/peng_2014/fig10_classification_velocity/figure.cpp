@@ -9,8 +9,9 @@
 #include "experiments/figures/figure_support.hpp"
 #include "experiments/peng_2014/figures.hpp"
 #include "experiments/peng_2014/paper_conditions.hpp"
+#include "experiments/peng_2014/reference.hpp"
+#include "experiments/peng_2014/work.hpp"
 #include "experiments/quantities/analysis.hpp"
-#include "experiments/reference/reference_data.hpp"
 
 namespace slfb {
 namespace {
@@ -66,7 +67,7 @@ FigureOutput draw(const FigureContext& context) {
     for (const auto& run : context.runs) {
       if (!wanted(run.spec) || run.spec.variant != variants[k]) continue;
       for (const auto& drop : run.result.drops)
-        if (const auto fit = fit_classification(drop, 0.0))
+        if (const auto fit = classification_of(drop, run.scene, peng_2014_work().measuring))
           drops.rows.push_back({run.spec.superficial_velocity, fit->velocity, fit->r_squared});
     }
     means.push_back({std::move(mean), series_title(context, system_name, variants[k]), line_style(k)});

@@ -6,8 +6,8 @@
 #include "experiments/figures/figure_folder.hpp"
 #include "experiments/figures/figure_support.hpp"
 #include "experiments/peng_2014/figures.hpp"
+#include "experiments/peng_2014/reference.hpp"
 #include "experiments/quantities/analysis.hpp"
-#include "experiments/reference/reference_data.hpp"
 
 namespace slfb {
 namespace {

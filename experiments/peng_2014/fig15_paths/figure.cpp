@@ -9,7 +9,6 @@
 #include "experiments/figures/figure_support.hpp"
 #include "experiments/figures/sphere_picture.hpp"
 #include "experiments/peng_2014/figures.hpp"
-#include "experiments/reference/reference_data.hpp"
 #include "experiments/runs/measure.hpp"
 
 namespace slfb {

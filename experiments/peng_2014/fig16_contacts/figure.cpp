@@ -6,7 +6,8 @@
 #include "experiments/figures/figure_support.hpp"
 #include "experiments/peng_2014/bed_systems.hpp"
 #include "experiments/peng_2014/figures.hpp"
-#include "experiments/reference/reference_data.hpp"
+#include "experiments/peng_2014/reference.hpp"
+#include "experiments/peng_2014/work.hpp"
 
 namespace slfb {
 namespace {

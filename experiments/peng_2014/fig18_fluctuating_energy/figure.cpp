@@ -3,7 +3,7 @@
 #include "experiments/figures/figure_folder.hpp"
 #include "experiments/figures/figure_support.hpp"
 #include "experiments/peng_2014/figures.hpp"
-#include "experiments/reference/reference_data.hpp"
+#include "experiments/peng_2014/reference.hpp"
 
 namespace slfb {
 namespace {

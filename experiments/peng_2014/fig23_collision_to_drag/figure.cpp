@@ -5,7 +5,7 @@
 #include "experiments/figures/figure_support.hpp"
 #include "experiments/peng_2014/figures.hpp"
 #include "experiments/peng_2014/paper_conditions.hpp"
-#include "experiments/reference/reference_data.hpp"
+#include "experiments/peng_2014/reference.hpp"
 #include "experiments/runs/measure.hpp"
 
 namespace slfb {

@@ -6,6 +6,7 @@
 #include <stdexcept>
 #include <string_view>
 
+#include "experiments/peng_2014/work.hpp"
 #include "experiments/runs/measure.hpp"
 #include "solver/support/folders.hpp"
 
@@ -29,7 +30,7 @@ std::vector<plan::FigurePlan> figure_plans() {
       const auto spec =
           std::ranges::find_if(profile.runs, [&](const RunSpec& run) { return run_key(run) == question.run; });
       if (spec == profile.runs.end()) continue;
-      const Scene simulated = load_scene(folder / "scenes" / spec->scene, spec->overrides);
+      const Scene simulated = load_scene(spec->scene, spec->overrides);
       plans.push_back(plan::plan_figure(question, scene, as_published, simulated, name, rules));
       break;
     }

@@ -8,7 +8,7 @@
 #include "experiments/peng_2014/figures.hpp"
 #include "experiments/peng_2014/inconsistencies.hpp"
 #include "experiments/peng_2014/paper_conditions.hpp"
-#include "experiments/reference/reference_data.hpp"
+#include "experiments/peng_2014/reference.hpp"
 #include "experiments/runs/run_files.hpp"
 #include "solver/support/folders.hpp"
 

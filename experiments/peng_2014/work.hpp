@@ -1,0 +1,24 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "experiments/work/work.hpp"
+
+/// Peng et al. (2014), Chem. Eng. Sci., doi 10.1016/j.ces.2014.04.040: forces on a single sphere that is introduced
+/// into a solid-liquid fluidised bed.
+namespace slfb {
+
+/// The work, put together once.
+const Work& peng_2014_work();
+
+/// Its claims, and its profiles by name.
+std::vector<Claim> load_claims();
+Profile load_profile(const std::string& name);
+
+/// The runs with the paper's springs (profiles springs and paper-steps) in `out`/runs or committed, for the figures of
+/// contacts and single forces.
+std::vector<FinishedRun> runs_with_own_springs(const std::filesystem::path& out);
+
+}  // namespace slfb

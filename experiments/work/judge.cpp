@@ -1,0 +1,28 @@
+#include "experiments/work/judge.hpp"
+
+#include "experiments/runs/measure.hpp"
+
+namespace slfb {
+
+Measurements measure_all(const Work& work, const std::vector<FinishedRun>& runs, const std::filesystem::path& out) {
+  Measurements measurements = measure_runs(runs, work.measuring);
+  if (!work.with_scene_stiffness.empty())
+    take_contacts_from(measure_runs(runs_with_scene_stiffness(work, out), work.measuring), work.measuring,
+                       measurements);
+  if (work.without_runs) measurements.merge(work.without_runs());
+  return measurements;
+}
+
+Judgement judge(const Work& work, const Profile& profile, const std::vector<Claim>& claims,
+                const std::filesystem::path& out) {
+  Judgement judgement{profile, with_shown_runs(work, profile), {}, {}, {}};
+  judgement.runs = finished_runs(judgement.shown, out);
+  judgement.measurements = measure_all(work, judgement.runs, out);
+  judgement.evaluations = evaluate(claims, judgement.measurements);
+  if (work.name_causes) work.name_causes(judgement.evaluations, out);
+  judge_run_gates(judgement.evaluations, measure_runs(own_runs(judgement.runs, profile.name), work.measuring),
+                  measure_runs(published_runs(profile), work.measuring));
+  return judgement;
+}
+
+}  // namespace slfb
