@@ -222,11 +222,11 @@ std::vector<const Argument*> arguments_of(const CatalogueEntry& law) {
   return found;
 }
 
-const Quantity& LawAnswer::at(std::string_view name) const {
-  const auto found = std::ranges::find(quantities, name, &Quantity::name);
+const LawValue& LawAnswer::at(std::string_view name) const {
+  const auto found = std::ranges::find(quantities, name, &LawValue::name);
   if (found != quantities.end()) return *found;
   std::string known;
-  for (const Quantity& quantity : quantities) known += (known.empty() ? "" : ", ") + std::string(quantity.name);
+  for (const LawValue& quantity : quantities) known += (known.empty() ? "" : ", ") + std::string(quantity.name);
   throw std::invalid_argument("the law gives no \"" + std::string(name) + "\"; it gives: " + known);
 }
 

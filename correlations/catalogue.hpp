@@ -57,7 +57,7 @@ struct Argument {
 std::span<const Argument> all_arguments();
 
 /// A named number that a law gives.
-struct Quantity {
+struct LawValue {
   std::string_view name;
   double value;
   std::string_view unit;
@@ -65,7 +65,7 @@ struct Quantity {
 
 /// What a law answers to a set of arguments.
 struct LawAnswer {
-  std::vector<Quantity> quantities;
+  std::vector<LawValue> quantities;
   /// Re of the answer, to compare with the range of the law [-]; not a number where the law knows no Re.
   double reynolds = std::numeric_limits<double>::quiet_NaN();
   /// Size ratio and Stokes number, likewise.
@@ -73,7 +73,7 @@ struct LawAnswer {
   double stokes = std::numeric_limits<double>::quiet_NaN();
 
   /// \throws std::invalid_argument if the law gives no such quantity
-  [[nodiscard]] const Quantity& at(std::string_view name) const;
+  [[nodiscard]] const LawValue& at(std::string_view name) const;
 };
 
 /// One law of the catalogue.

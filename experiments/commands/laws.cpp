@@ -169,7 +169,7 @@ void print_csv(const CatalogueEntry& entry, const LawArguments& arguments) {
   for (const Argument* argument : arguments_of(entry)) {
     std::cout << fmt::format("{},{},{}\n", argument->name, arguments.*(argument->value), argument->unit);
   }
-  for (const Quantity& quantity : evaluation.quantities) {
+  for (const LawValue& quantity : evaluation.quantities) {
     std::cout << fmt::format("{},{},{}\n", quantity.name, quantity.value, quantity.unit);
   }
   std::cout << fmt::format("in_range,{:d},1\n", in_range(entry.info, arguments, evaluation));
@@ -203,7 +203,7 @@ void print_text(const CatalogueEntry& entry, const LawArguments& arguments) {
                              argument->unit, argument->meaning);
   }
   std::cout << "\nit gives\n";
-  for (const Quantity& quantity : evaluation.quantities) {
+  for (const LawValue& quantity : evaluation.quantities) {
     std::cout << fmt::format("  {:<30} {:>12.6g} {}\n", quantity.name, quantity.value, quantity.unit);
   }
   std::cout << (in_range(info, arguments, evaluation) ? "\nInside the range of the source.\n"
@@ -230,7 +230,7 @@ json evaluation_as_json(const CatalogueEntry& entry, const LawArguments& argumen
     answer[argument->name] = arguments.*(argument->value);
     units[argument->name] = argument->unit;
   }
-  for (const Quantity& quantity : evaluation.quantities) {
+  for (const LawValue& quantity : evaluation.quantities) {
     answer[quantity.name] = number_or_null(quantity.value);
     units[quantity.name] = quantity.unit;
   }

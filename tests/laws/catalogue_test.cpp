@@ -47,7 +47,7 @@ TEST(Catalogue, EveryLawAnswersTheDefaultArgumentsWithFiniteNumbers) {
   for (const CatalogueEntry& entry : catalogue()) {
     const LawAnswer evaluation = entry.evaluate(LawArguments{});
     EXPECT_FALSE(evaluation.quantities.empty()) << entry.info.name;
-    for (const Quantity& quantity : evaluation.quantities) {
+    for (const LawValue& quantity : evaluation.quantities) {
       EXPECT_TRUE(std::isfinite(quantity.value)) << entry.info.name << ": " << quantity.name;
     }
   }
