@@ -14,8 +14,8 @@ namespace slfb::io {
 
 /// A part of a state as a group of an HDF5 file: each value is a data set with a name of its own.
 ///
-/// Who owns a state lists its values once, in a function that takes a StateGroup. The same list writes the group and
-/// reads it back:
+/// The owner of a state lists its values once, in a function that takes a StateGroup. The same list writes the group
+/// and reads it back:
 ///
 ///     void Clock::exchange(io::StateGroup& group) {
 ///       group.value("steps", steps_);
@@ -28,7 +28,7 @@ namespace slfb::io {
 /// a name is missing, if the file has a name that the list does not have, or if an array has another length.
 class StateGroup {
  public:
-  /// True while the list reads: values are then assigned, else they are only looked at.
+  /// True while the list reads: values are then assigned, else they are only read.
   [[nodiscard]] bool reading() const { return source_ != nullptr; }
 
   /// One number, with its unit in UDUNITS spelling.
@@ -42,7 +42,7 @@ class StateGroup {
   void values(const std::string& name, std::vector<std::int64_t>& values, std::optional<std::size_t> length = {});
 
   /// A whole group of arrays whose names its owner alone knows: "part/name" lies in a group within this one. What is
-  /// read may have any names and lengths; whoever takes it checks them.
+  /// read may have any names and lengths; its owner checks them.
   void write_fields(const NamedFields& fields);
   [[nodiscard]] NamedFields read_fields();
 

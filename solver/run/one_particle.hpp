@@ -5,7 +5,8 @@
 
 namespace slfb {
 
-/// One sphere on its vertical way through a uniform suspension or plain liquid: the rung between a correlation and DEM.
+/// One sphere that moves vertically through a uniform suspension or plain liquid: more than a correlation, less than
+/// the discrete element method.
 struct OneParticleFall {
   double diameter = 0.0;             ///< [m]
   double density = 0.0;              ///< [kg/m³]
@@ -30,7 +31,7 @@ struct FallState {
 /// CVODE (BDF, relative tolerance 1e-10).
 ///
 /// What walls add is taken from Stokes flow and added to the drag at any Re, as Fayon & Happel (1960) found for tubes
-/// of up to some Re = 40; λ is Brenner's series in the gap h = z − r over a bottom, 1 without one. Keys: fayon1960,
+/// of up to about Re = 40; λ is Brenner's series in the gap h = z − r over a bottom, 1 without one. Keys: fayon1960,
 /// brenner1961. The history force is not in it.
 ///
 /// \param times increasing output times [s]; the first state is that at times.front()

@@ -23,7 +23,7 @@ namespace simulation {
 class DropProtocol;
 class Schedule;
 
-/// Tells a caller of run_scene how far the run has come, at intervals of wall-clock time.
+/// Reports to the caller of run_scene how far the run has come, at intervals of wall-clock time.
 class ProgressReporter {
  public:
   /// \param report called with the progress; may be empty

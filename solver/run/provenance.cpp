@@ -2,7 +2,6 @@
 
 #include <fmt/chrono.h>
 #include <fmt/core.h>
-#include <sys/resource.h>
 
 #include <ctime>
 #include <numbers>
@@ -22,15 +21,6 @@ RunResult new_result(const Scene& scene, int threads) {
   result.steps_per_contact = std::numbers::pi * contact_time_step_bound(scene) / scene.contact.time_step;
   result.machine = fmt::format("{}, {} cores", processor_name(), std::thread::hardware_concurrency());
   return result;
-}
-
-double RunCost::thread_cpu_seconds() {
-  rusage usage{};
-  getrusage(RUSAGE_THREAD, &usage);
-  const auto seconds = [](const timeval& t) {
-    return static_cast<double>(t.tv_sec) + 1e-6 * static_cast<double>(t.tv_usec);
-  };
-  return seconds(usage.ru_utime) + seconds(usage.ru_stime);
 }
 
 void RunCost::resume(const RunResult& result) {

@@ -3,13 +3,15 @@
 #include <chrono>
 
 #include "solver/io/run_result.hpp"
+#include "solver/support/processor.hpp"
 
 namespace slfb::simulation {
 
 /// What says where a result comes from: scene, versions, machine and threads. Everything else of it is empty.
 RunResult new_result(const Scene& scene, int threads);
 
-/// Wall and CPU time of a run, over all of its starts.
+/// Wall and CPU time of a run, over all of its starts. The CPU time is that of the calling thread, which leads the run,
+/// times the threads, which keep in step with it: other runs of the process do not count.
 class RunCost {
  public:
   explicit RunCost(int threads) : threads_(threads) {}
@@ -22,9 +24,6 @@ class RunCost {
 
  private:
   using Clock = std::chrono::steady_clock;
-
-  /// CPU time of the calling thread, which leads the run; other runs of the process do not count [s].
-  static double thread_cpu_seconds();
 
   int threads_;
   Clock::time_point started_ = Clock::now();

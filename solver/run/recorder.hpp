@@ -17,7 +17,7 @@ namespace slfb::simulation {
 
 /// Decides what is recorded when, at the intervals of the scene, and writes snapshots for ParaView.
 ///
-/// It looks at the model and never changes it. Time is that of Schedule::fluidised_seconds().
+/// It reads the model and never changes its motion. Time is that of Schedule::fluidised_seconds().
 class Recorder {
  public:
   /// \param result is filled; all arguments must outlive the recorder

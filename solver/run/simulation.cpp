@@ -21,7 +21,7 @@ namespace {
 
 using namespace simulation;
 
-/// A run: the schedule says what comes next, the model advances, the recorder looks on.
+/// A run: the schedule says what comes next, the model advances, the recorder reads it.
 class Simulation {
  public:
   Simulation(const Scene& scene, const RunOptions& options);
