@@ -27,13 +27,13 @@ struct FigureOutput {
   std::vector<std::string> notes;  ///< profile differences, missing runs
 };
 
-/// One figure of the paper: a folder experiments/peng_2014/figNN_…/ with its code and README.
+/// One figure: a folder in experiments/ with figure.cpp, figure.gp and README.md (FigureFolder).
 struct Figure {
   std::string id;  ///< "fig05"
   std::string title;
   std::function<std::vector<std::string>(const Profile&)> needs;  ///< "system/U_L[/variant]" of the runs it draws
   std::function<FigureOutput(const FigureContext&)> draw;
-  std::string folder = "";  ///< in experiments/, with its code and README.md
+  std::string folder = "";  ///< in experiments/
 };
 
 /// For Figure::needs of a figure that draws no run.

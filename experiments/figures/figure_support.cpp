@@ -46,8 +46,8 @@ std::vector<const FinishedRun*> present_runs(const FigureContext& context, const
   return present;
 }
 
-/// Sentences that set the runs apart from the paper's, profile by profile; what a profile shares with one before it is
-/// not said twice.
+/// Sentences that set the runs apart from those of the source, profile by profile; what a profile shares with one
+/// before it is not said twice.
 std::vector<std::string> differences_of(const FigureContext& context, const std::vector<const FinishedRun*>& present) {
   std::vector<std::string> profiles, sentences;
   for (const FinishedRun* run : present) {
@@ -102,14 +102,16 @@ const FinishedRun* find_contact_run(const FigureContext& context, const std::vec
 }
 
 std::string springs_note(const std::vector<FinishedRun>& own_springs) {
-  std::vector<std::string> keys;
-  for (const FinishedRun& run : own_springs) keys.push_back(run_key(run.spec));
+  std::vector<std::string> profiles, keys;
+  for (const FinishedRun& run : own_springs) {
+    if (std::ranges::find(profiles, run.spec.profile) == profiles.end()) profiles.push_back(run.spec.profile);
+    keys.push_back(run_key(run.spec));
+  }
   return fmt::format(
       "Contacts, collisions and single forces depend on the stiffness of the springs. Where a system has two "
-      "velocities with that of the paper, they are taken from these runs alone (profiles springs and paper-steps: {}). "
-      "Elsewhere the springs are softer: contacts last longer, with the root of mass over stiffness, and fewer "
-      "collisions are counted.",
-      keys.empty() ? "none yet" : join(keys, ", "));
+      "velocities with that of the source, they are taken from these runs alone ({}). Elsewhere the springs are "
+      "softer: contacts last longer, with the root of mass over stiffness, and fewer collisions are counted.",
+      keys.empty() ? "none yet" : fmt::format("profiles {}: {}", join(profiles, " and "), join(keys, ", ")));
 }
 
 std::vector<MeasuredPoint> measured_points(const Measurements& measurements, std::string_view quantity,

@@ -81,7 +81,7 @@ void add_series(const std::string& name, const std::vector<Series>& series, Plot
 std::vector<Series> variants_against_bed(const std::string& id, std::string_view quantity, const std::string& heading,
                                          std::string_view system, BedAbscissa abscissa, const FigureContext& context);
 
-/// What a reader must know of the runs behind a figure: differences of the profile from the paper, missing runs, runs
+/// What a reader must know of the runs behind a figure: differences of the profile from the source, missing runs, runs
 /// read from the committed results, runs of an older numerics version.
 std::vector<std::string> run_notes(const FigureContext& context, const std::vector<std::string>& keys);
 
