@@ -25,7 +25,7 @@ constexpr const char* introduction =
 constexpr const char* examples = R"(Examples:
   slfb figures                                       simulate what is missing, draw the figures, write the report
   slfb check --json claims.json                      every claim with its verdict; fails when a gate does not hold
-  slfb run experiments/peng_2014/scenes/6in5W.toml --dry-run   what one scene would cost
+  slfb run experiments/scenes/fluidised_box.toml --dry-run   what one scene would cost
   slfb law gidaspow-1994 --voidage 0.5 --re 100      one law at one point
   slfb compare --drag gidaspow-1994,mine.cpp         your own law beside the literature, in formulas and simulations
   slfb list                                          what there is

@@ -13,8 +13,8 @@
 
 #include "experiments/commands/above_zero.hpp"
 #include "experiments/commands/commands.hpp"
+#include "experiments/commands/works.hpp"
 #include "experiments/numerics/studies/trial.hpp"
-#include "experiments/peng_2014/planned_figures/figure_plans.hpp"
 #include "experiments/runs/measure.hpp"
 #include "experiments/runs/run_campaign.hpp"
 #include "experiments/runs/run_estimate.hpp"
@@ -46,6 +46,7 @@ the planned run with each richer choice in turn and says whether the asked quant
 whose choice leaves its band is named, and the exit status is 1.)";
 
 struct Options {
+  std::string work;
   fs::path scene;
   std::vector<std::string> asked;
   Overrides overrides;
@@ -219,7 +220,9 @@ void print_plan(const Options& options, const Scene& scene, const Plan& made) {
 
 int run(const Options& options) {
   if (options.figures) {
-    fmt::print("{}", plan::figure_plans_text(figure_plans()));
+    const Work& work = find_work(works(), options.work);
+    if (!work.figure_plans) throw std::invalid_argument(work.id + " has no plans of its figures");
+    fmt::print("{}", plan::figure_plans_text(work.figure_plans()));
     return 0;
   }
   if (options.scene.empty()) throw std::invalid_argument("a scene is needed, or --figures");
@@ -269,6 +272,7 @@ void add_plan_command(CLI::App& app) {
   auto options = std::make_shared<Options>();
   CLI::App* command = app.add_subcommand("plan", "Which models and steps a scene needs for what is asked of it");
   command->add_option("SCENE", options->scene, "Scene file (TOML)")->check(CLI::ExistingFile);
+  add_work_option(*command, works(), options->work);
   command->add_option("--for", options->asked, "Quantities that are asked for")->delimiter(',')->type_name("Q,...");
   command->add_option("--set", options->overrides, "Replace a value of the scene: KEY=VALUE, may be repeated")
       ->allow_extra_args(false);

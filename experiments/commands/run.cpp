@@ -29,7 +29,7 @@ namespace {
 using nlohmann::json;
 
 constexpr const char* examples = R"(Examples:
-  slfb run experiments/peng_2014/scenes/6in5W.toml --dry-run        check the scene, show what it costs
+  slfb run experiments/scenes/fluidised_box.toml --dry-run   check the scene, show what it costs
   slfb run scene.toml --threads 2                         simulate
   slfb run scene.toml --plan auto                         simulate no more than V_2 and voidage need
   slfb run scene.toml --set "liquid.superficial_velocity=0.08 m/s" --set stage[2].repetitions=5

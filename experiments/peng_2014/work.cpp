@@ -7,6 +7,7 @@
 #include "experiments/peng_2014/inconsistencies.hpp"
 #include "experiments/peng_2014/measure_laws.hpp"
 #include "experiments/peng_2014/own_quantities.hpp"
+#include "experiments/peng_2014/planned_figures/figure_plans.hpp"
 #include "experiments/peng_2014/reference.hpp"
 #include "experiments/peng_2014/report_texts.hpp"
 #include "experiments/work/profiles.hpp"
@@ -26,7 +27,7 @@ MeasuringRules measuring_rules() {
   // On either side of U_mf = 0.042 m/s in Fig. 5.
   rules.packed_up_to = 0.0401;
   rules.fluidised_from = 0.0599;
-  rules.stated_voidages = {0.45, 0.46, 0.52, 0.55, 0.57, 0.58, 0.62, 0.65, 0.79, 0.80};
+  rules.printed_voidages = {0.45, 0.46, 0.52, 0.55, 0.57, 0.58, 0.62, 0.65, 0.79, 0.80};
   // Half the last printed digit, and as much for an unstated definition of the bed's voidage.
   rules.voidage_tolerance = 0.01;
   rules.at_voidages = {"collision_frequency", "drag_ratio",    "lateral_travel",         "liquid_fluctuation",
@@ -56,6 +57,7 @@ Work put_together() {
   work.inconsistencies = inconsistencies;
   work.texts = paper::report_texts;
   work.comparison_bed = paper::comparison_bed;
+  work.figure_plans = figure_plans;
   return work;
 }
 

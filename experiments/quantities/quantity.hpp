@@ -89,7 +89,7 @@ struct MeasuringRules {
   /// Smallest one of a bed that is surely fluidised [m/s].
   double fluidised_from = std::numeric_limits<double>::infinity();
   /// Voidages at which a work states something of a bed whose superficial velocity it does not give [-].
-  std::vector<double> stated_voidages = {};
+  std::vector<double> printed_voidages = {};
   double voidage_tolerance = 0.0;             ///< a run that misses a stated voidage by no more stands for it [-]
   std::vector<std::string> at_voidages = {};  ///< quantities that are read there, as "QUANTITY_at_voidage"
 

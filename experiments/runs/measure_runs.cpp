@@ -110,7 +110,7 @@ void measure_system(const std::string& system, const MeasuringRules& rules, Meas
   }
   const auto voidages = over_numbers(measurements, "voidage_centre_of_mass", system);
   for (const std::string& quantity : rules.at_voidages)
-    for (const double stated : rules.stated_voidages) {
+    for (const double stated : rules.printed_voidages) {
       auto answer =
           value_at_voidage(voidages, over_numbers(measurements, quantity, system), stated, rules.voidage_tolerance);
       if (!answer) continue;

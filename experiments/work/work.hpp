@@ -10,6 +10,7 @@
 #include "experiments/claims/claims.hpp"
 #include "experiments/compare/comparison_bed.hpp"
 #include "experiments/figures/figure.hpp"
+#include "experiments/numerics/plan/figure_plan.hpp"
 #include "experiments/quantities/quantity.hpp"
 #include "experiments/reference/reference_numbers.hpp"
 #include "reports/report_contents.hpp"
@@ -57,6 +58,7 @@ struct Work {
   std::function<reports::WorkTexts()> texts = {};
   /// The bed in which `slfb compare` puts laws side by side.
   std::function<compare::ComparisonBed()> comparison_bed = {};
+  std::function<std::vector<plan::FigurePlan>()> figure_plans = {};  ///< for `slfb plan --figures`
 };
 
 using Works = std::vector<const Work*>;

@@ -1,7 +1,6 @@
 #include "experiments/numerics/plan/rules.hpp"
 
 #include <fmt/format.h>
-#include <gsl/gsl_cdf.h>
 
 #include <algorithm>
 #include <cmath>
@@ -9,6 +8,7 @@
 #include <stdexcept>
 
 #include "experiments/numerics/frontier/study.hpp"
+#include "experiments/quantities/analysis.hpp"
 #include "solver/support/folders.hpp"
 #include "solver/support/toml_table.hpp"
 
@@ -31,8 +31,8 @@ struct Measured {
 };
 
 /// Standard error of a mean of replicates, from its 95 % interval; 0 where there is none.
-double standard_error(double half_width, int replicates) {
-  return replicates > 1 && half_width > 0.0 ? half_width / gsl_cdf_tdist_Pinv(0.975, replicates - 1.0) : 0.0;
+double error_of_mean(double half_width, int replicates) {
+  return replicates > 1 && half_width > 0.0 ? standard_error(half_width, static_cast<std::size_t>(replicates)) : 0.0;
 }
 
 std::string text_of(const frontier::ReducedPoint& point) { return fmt::format("{} at {:g}", point.series, point.axis); }
@@ -67,8 +67,8 @@ std::string add_measured(TomlTable& table, std::map<std::string, Measured>& meas
     Measured found{value.error, 0.0};
     if (const auto other = others.find(quantity); other != others.end()) {
       const double truth = other->second.value;
-      found.standard_error = std::hypot(standard_error(value.half_width, point.replicates),
-                                        standard_error(other->second.half_width, point.replicates)) /
+      found.standard_error = std::hypot(error_of_mean(value.half_width, point.replicates),
+                                        error_of_mean(other->second.half_width, point.replicates)) /
                              std::abs(truth);
       const double deviation = value.value / truth - 1.0;
       found.error = std::sqrt(std::max(0.0, deviation * deviation - found.standard_error * found.standard_error));
