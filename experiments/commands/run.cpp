@@ -30,8 +30,8 @@ using nlohmann::json;
 
 constexpr const char* examples = R"(Examples:
   slfb run experiments/scenes/fluidised_box.toml --dry-run   check the scene, show what it costs
-  slfb run scene.toml --threads 2                         simulate
-  slfb run scene.toml --plan auto                         simulate no more than V_2 and voidage need
+  slfb run scene.toml --threads 2                            simulate
+  slfb run scene.toml --plan auto                            simulate no more than V_2 and voidage need
   slfb run scene.toml --set "liquid.superficial_velocity=0.08 m/s" --set stage[2].repetitions=5
 
 The result lies in DIR/runs/HASH/result.h5, HASH being computed from every value of the scene: the same scene is not
