@@ -55,6 +55,7 @@ DIR/compare/KIND/index.html, with the figures, claims.csv and compare.json besid
 when it is used: that needs a C++20 compiler, $CXX or the one that built slfb.)";
 
 struct Options {
+  std::string work;
   std::vector<std::string> drag, contact, void_fraction, experiments;
   std::string template_kind;
   std::string tier = "1d";
@@ -87,13 +88,10 @@ struct Question {
   std::vector<RunSpec> runs;
 };
 
-ComparisonBed bed_of(const Work& work) {
-  if (!work.comparison_bed) throw std::runtime_error(work.id + " hands over no bed to compare laws in");
-  return work.comparison_bed();
-}
-
-Question question(const Options& options) {
-  Question asked{bed_of(find_work(works(), "")), tier_named(options.tier), {}, {}};
+Question question(const Work& work, const Options& options) {
+  if (!work.comparison_bed)
+    throw std::invalid_argument(fmt::format("--work {}: it hands over no bed to compare laws in", work.id));
+  Question asked{work.comparison_bed(), tier_named(options.tier), {}, {}};
   asked.claims = compare::claims_of_runs(asked.bed, options.experiments);
   asked.runs = compare::runs_of(asked.bed, asked.tier, asked.claims, options.velocities);
   return asked;
@@ -190,8 +188,8 @@ int finish(const CampaignOutcome& outcome, const fs::path& folder) {
   return outcome.exit_status();
 }
 
-int compare_drag(const Options& options) {
-  const Question asked = question(options);
+int compare_drag(const Work& work, const Options& options) {
+  const Question asked = question(work, options);
   const ComparisonBed& bed = asked.bed;
   std::vector<std::string> arguments = options.drag;
   if (arguments.size() == 1 && arguments[0] != bed.drag_law) arguments.insert(arguments.begin(), bed.drag_law);
@@ -242,8 +240,8 @@ int compare_drag(const Options& options) {
   return finish(outcome, folder);
 }
 
-int compare_contact(const Options& options) {
-  const Question asked = question(options);
+int compare_contact(const Work& work, const Options& options) {
+  const Question asked = question(work, options);
   const ComparisonBed& bed = asked.bed;
   std::vector<std::string> arguments = options.contact;
   if (arguments.size() == 1 && arguments[0] != bed.contact_law) arguments.insert(arguments.begin(), bed.contact_law);
@@ -304,7 +302,7 @@ int compare_contact(const Options& options) {
   return finish(outcome, folder);
 }
 
-int compare_void_fraction(const Options& options) {
+int compare_void_fraction(const Work& work, const Options& options) {
   std::vector<std::string> known;
   for (const auto& choice : description::void_fractions) known.emplace_back(choice.word);
   for (const std::string& name : options.void_fraction)
@@ -321,7 +319,7 @@ int compare_void_fraction(const Options& options) {
   if (tier_named(options.tier) == Tier::correlation)
     throw std::invalid_argument(
         "--tier correlation: a void-fraction scheme exists in simulations only; allowed are 1d and 3d");
-  const Question asked = question(options);
+  const Question asked = question(work, options);
   Comparison comparison{"void-fraction", "Void-fraction schemes side by side", {}};
   for (const std::string& name : options.void_fraction)
     comparison.candidates.push_back({name, {"coupling.void_fraction=" + name}, {}, {}});
@@ -339,7 +337,7 @@ int compare_void_fraction(const Options& options) {
 
 }  // namespace
 
-void add_compare_command(CLI::App& app) {
+void add_compare_command(CLI::App& app, const Works& works) {
   auto options = std::make_shared<Options>();
   CLI::App* command = app.add_subcommand("compare", "Compare laws, also your own, in formulas and in simulations");
   std::vector<std::string> tier_names;
@@ -363,6 +361,7 @@ void add_compare_command(CLI::App& app) {
   drag->excludes(contact)->excludes(void_fraction)->excludes(print_template);
   contact->excludes(void_fraction)->excludes(print_template);
   void_fraction->excludes(print_template);
+  add_work_option(*command, works, options->work);
   command->add_option("--tier", options->tier, "How much to simulate: correlation, 1d or 3d")
       ->check(CLI::IsMember(tier_names))
       ->capture_default_str();
@@ -381,18 +380,19 @@ void add_compare_command(CLI::App& app) {
       ->check(above_zero())
       ->capture_default_str();
   command->footer(examples);
-  command->callback([options] {
+  command->callback([options, &works] {
     int status = 0;
     try {
+      const Work& work = find_work(works, options->work);
       if (!options->template_kind.empty()) {
         std::cout << read_file(source_folder() / "experiments" / "compare" / "templates" /
                                (options->template_kind + "_law.cpp"));
       } else if (!options->drag.empty()) {
-        status = compare_drag(*options);
+        status = compare_drag(work, *options);
       } else if (!options->contact.empty()) {
-        status = compare_contact(*options);
+        status = compare_contact(work, *options);
       } else if (!options->void_fraction.empty()) {
-        status = compare_void_fraction(*options);
+        status = compare_void_fraction(work, *options);
       } else {
         throw CLI::ValidationError("needed is one of --drag, --contact, --void-fraction and --template");
       }

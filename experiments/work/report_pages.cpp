@@ -134,8 +134,9 @@ reports::ReportContents report_contents(const ReportInputs& inputs) {
   for (const FinishedRun& run : inputs.runs) contents.runs.push_back(run_row(run, inputs.out));
   if (work.inconsistencies) contents.inconsistencies = work.inconsistencies();
   for (const Quantity& quantity : work.measuring.quantities)
-    contents.quantities.push_back({quantity.id, quantity.title, quantity.unit, quantity.definition,
-                                   quantity.depends_on_contact_stiffness ? "softer contacts change it" : ""});
+    contents.quantities.push_back(
+        {quantity.id, quantity.title, quantity.unit, quantity.definition,
+         quantity.depends_on_contact_stiffness ? "changes with it" : "does not change with it"});
   contents.claims_json = claims_json(inputs.judgement.evaluations).dump(2) + "\n";
   return contents;
 }
