@@ -4,7 +4,7 @@
 #   foot, foot_position: lines of text below the panels and their heights
 # and for each panel p: panel_title, panel_x_label, panel_first (1: leftmost of its row), panel_cost (column of the cost),
 #   panel_error (column of the error; the ends of its interval follow), panel_band (interval of the reference, 0: none),
-#   panel_left and panel_right (range of the cost, 0: automatic), panel_low and panel_high (range of the error),
+#   panel_left and panel_right (range of the cost), panel_low and panel_high (range of the error),
 #   panel_top (where failures stand), panel_drawn_end (methods that have points: drawn[previous end + 1 … end]),
 #   panel_front (table of the Pareto front) and panel_has_front, panel_has_here and panel_here (column in `here`, this
 #   machine's quick set)
@@ -36,7 +36,7 @@ do for [p=1:panel_title_count] {
     set object 1 rectangle from graph 0, graph 0 to graph 1, first panel_band[p] fillcolor rgb '#dfe3e8' \
       fillstyle solid noborder behind
   }
-  if (panel_left[p] > 0) { set xrange [panel_left[p]:panel_right[p]] } else { set xrange [*:*] }
+  set xrange [panel_left[p]:panel_right[p]]
   set yrange [panel_low[p]:panel_high[p]]
   # Bars first: they would take the points' middle away. Methods without a point keep their place in the key. A failure
   # has a cost but no error: it is a numbered cross at the top.

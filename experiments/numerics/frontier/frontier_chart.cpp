@@ -131,10 +131,11 @@ DataTable write_beside(const Chart& chart, FigureOutput& output) {
 struct Panel {
   std::string title, x_label, front;
   bool first = false, has_front = false, has_here = false;
-  int cost = time_column, error = 0, here = 0;   ///< columns
-  double band = 0.0, left = 0.0, right = 0.0;    ///< 0: none, automatic
-  double low = infinity, high = 0.0, top = 0.0;  ///< range of the error, and where failures stand
-  std::vector<double> drawn;                     ///< numbers of the methods that have points, from 1
+  int cost = time_column, error = 0, here = 0;  ///< columns
+  double band = 0.0;                            ///< interval of the reference; 0: none
+  double left = 0.0, right = 0.0;               ///< range of the cost
+  double low = 0.0, high = 0.0, top = 0.0;      ///< range of the error, and where failures stand
+  std::vector<double> drawn;                    ///< numbers of the methods that have points, from 1
 };
 
 Panel panel_of(const Chart& chart, std::size_t q, bool by_count, const DataTable& here, FigureOutput& output) {
@@ -160,9 +161,9 @@ Panel panel_of(const Chart& chart, std::size_t q, bool by_count, const DataTable
   panel.has_front = !front.rows.empty();
 
   double least_error = infinity, largest_error = 0.0, least_cost = infinity, largest_cost = 0.0;
-  const auto include = [&](double error) {
-    least_error = std::min(least_error, error);
-    largest_error = std::max(largest_error, error);
+  const auto include = [](double value, double& least, double& largest) {
+    least = std::fmin(least, value);
+    largest = std::fmax(largest, value);
   };
   for (std::size_t s = 0; s < chart.study.series.size(); ++s)
     if (std::ranges::any_of(chart.reduced.points, [&](const ReducedPoint& point) {
@@ -171,23 +172,24 @@ Panel panel_of(const Chart& chart, std::size_t q, bool by_count, const DataTable
         }))
       panel.drawn.push_back(static_cast<double>(s + 1));
   for (const ReducedPoint& point : chart.reduced.points) {
-    if (has_point(point, quantity)) include(point.values.at(quantity).error);
-    least_cost = std::fmin(least_cost, chart.cost(point, by_count));
-    largest_cost = std::fmax(largest_cost, chart.cost(point, by_count));
+    if (has_point(point, quantity)) include(point.values.at(quantity).error, least_error, largest_error);
+    if (has_point(point, quantity) || !point.failure.empty())
+      include(chart.cost(point, by_count), least_cost, largest_cost);
   }
   for (const auto& row : here.rows) {
     const double error = row[static_cast<std::size_t>(panel.here) - 1];
+    const double cost = row[static_cast<std::size_t>(panel.cost) - 1];
     if (!std::isfinite(error)) continue;
-    include(error);
-    panel.has_here = panel.has_here || std::isfinite(row[static_cast<std::size_t>(panel.cost) - 1]);
+    include(error, least_error, largest_error);
+    include(cost, least_cost, largest_cost);
+    panel.has_here = panel.has_here || std::isfinite(cost);
   }
   panel.low = 0.4 * std::max(least_error, 1e-12);
   panel.high = 9.0 * largest_error;
   panel.top = 5.0 * largest_error;
-  if (largest_cost < 1.01 * least_cost) {  // points of one cost leave gnuplot without a range of its own
-    panel.left = 0.5 * least_cost;
-    panel.right = 2.0 * largest_cost;
-  }
+  const bool one_cost = largest_cost < 1.01 * least_cost;
+  panel.left = one_cost ? 0.5 * least_cost : std::pow(10.0, std::floor(std::log10(least_cost)));
+  panel.right = one_cost ? 2.0 * largest_cost : std::pow(10.0, std::ceil(std::log10(largest_cost)));
   return panel;
 }
 
@@ -286,9 +288,7 @@ FigureOutput draw_frontier(const Study& study, const ReducedStudy& reduced, cons
   FigureOutput output{id, {}, study.caption, {}};
   Chart chart{id, study, studies::find_problem(study.problem), reduced, beside, {}, {}, {}, folder};
   for (const std::string& quantity : study.quantities)
-    if (std::ranges::any_of(reduced.points, [&](const ReducedPoint& point) {
-          return point.values.contains(quantity) && std::isfinite(point.values.at(quantity).error);
-        }))
+    if (std::ranges::any_of(reduced.points, [&](const ReducedPoint& point) { return has_point(point, quantity); }))
       chart.quantities.push_back(quantity);
   write_methods(chart, output);
   const DataTable here = write_beside(chart, output);

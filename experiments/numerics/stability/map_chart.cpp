@@ -191,7 +191,7 @@ FigureOutput draw_map(const Map& map, const SolvedMap& solved, const SolvedMap& 
   values.numbers("open", open);
   values.files("here", here.rows.empty() ? std::vector<std::string>{} : std::vector{here.name});
   set_theories(theories, values);
-  const std::size_t entries = map.series.size() + theories.size() + (here.rows.empty() ? 0 : 1);
+  const std::size_t entries = tables.size() + titled.size() + (here.rows.empty() ? 0 : 1);
   values.number("key_rows", static_cast<double>((entries + 1) / 2));
   draw_plot(id, source_folder() / "experiments/numerics/stability/map.gp", values, {620, 500}, folder);
   return output;
