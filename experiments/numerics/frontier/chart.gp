@@ -38,12 +38,14 @@ do for [p=1:panel_title_count] {
   }
   set xrange [panel_left[p]:panel_right[p]]
   set yrange [panel_low[p]:panel_high[p]]
+  # gnuplot opens the first file even where a loop has nothing to do.
+  file(k, end) = k <= end ? series[drawn[k]] : '$empty_list'
   # Bars first: they would take the points' middle away. Methods without a point keep their place in the key. A failure
   # has a cost but no error: it is a numbered cross at the top.
   plot \
-    for [k=begin:panel_drawn_end[p]] series[drawn[k]] skip 1 using cost:error:error+1:error+2 \
+    for [k=begin:panel_drawn_end[p]] file(k, panel_drawn_end[p]) skip 1 using cost:error:error+1:error+2 \
       with yerrorbars linestyle 200 + drawn[k] notitle, \
-    for [k=begin:panel_drawn_end[p]] series[drawn[k]] skip 1 using cost:error \
+    for [k=begin:panel_drawn_end[p]] file(k, panel_drawn_end[p]) skip 1 using cost:error \
       with linespoints linestyle 100 + drawn[k] notitle, \
     for [k=1:failed_count] failed[k] skip 1 using (column(reason) > 0 ? column(cost) : NaN):(panel_top[p]) \
       with points pointtype 2 pointsize 1.1 linewidth 2 linecolor rgb '#b0303c' notitle, \
@@ -51,9 +53,9 @@ do for [p=1:panel_title_count] {
       using (column(reason) > 0 ? column(cost) : NaN):(panel_top[p]):(sprintf('%d', column(reason))) \
       with labels offset 0.9, 0 font ',10' textcolor rgb '#b0303c' notitle, \
     for [s=1:series_count] keyentry with linespoints linestyle 100 + s title series_title[s], \
-    for [k=1:panel_has_front[p]] panel_front[p] skip 1 using 1:2 \
+    for [k=1:panel_has_front[p]] (panel_has_front[p] ? panel_front[p] : '$empty_list') skip 1 using 1:2 \
       with fsteps linecolor rgb '#000000' linewidth 1 dashtype (6, 4) title 'Pareto front', \
-    for [k=1:panel_has_here[p]] here skip 1 using cost:panel_here[p] \
+    for [k=1:panel_has_here[p]] (panel_has_here[p] ? here[1] : '$empty_list') skip 1 using cost:panel_here[p] \
       with points pointtype 6 pointsize 1.4 linecolor rgb '#000000' title 'quick set, this machine'
   begin = panel_drawn_end[p] + 1
   # Key and text belong to the page, not to each of its panels.

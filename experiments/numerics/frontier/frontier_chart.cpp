@@ -271,7 +271,7 @@ void draw(const Chart& chart, const std::vector<Panel>& panels, const DataTable&
   values.files("series", chart.tables);
   values.texts("series_title", chart.study.series);
   values.files("failed", failed);
-  values.markup("here", (here.rows.empty() ? chart.tables.front() : here.name) + ".csv");
+  values.files("here", here.rows.empty() ? std::vector<std::string>{} : std::vector{here.name});
   values.texts("foot", lines);
   values.numbers("foot_position", positions);
   set_panels(panels, values);

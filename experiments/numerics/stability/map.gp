@@ -37,14 +37,15 @@ set label 301 'holds' at graph 0.985, graph (fails_high ? 0.04 : 0.96) right fon
 set bmargin 5 + key_rows
 set key at graph 0.5, character key_rows + 1.3 center top vertical maxrows key_rows Left reverse font ',11' width 2
 
+# gnuplot opens the first file even where a loop has nothing to do: that is $empty_list.
 # Bars first: they would take the points' middle away. Methods without a boundary keep their place in the key; an arrow
 # leads out of the range in which was looked.
 plot \
-  for [k=1:bracketed_end] series[bracketed[k]] skip 1 using 1:2:3:4 \
+  for [k=1:bracketed_end] (k <= bracketed_end ? series[bracketed[k]] : '$empty_list') skip 1 using 1:2:3:4 \
     with yerrorbars linestyle 200 + bracketed[k] notitle, \
-  for [k=1:bracketed_end] series[bracketed[k]] skip 1 using 1:2 \
+  for [k=1:bracketed_end] (k <= bracketed_end ? series[bracketed[k]] : '$empty_list') skip 1 using 1:2 \
     with linespoints linestyle 100 + bracketed[k] notitle, \
-  for [k=1:open_end] series[open[k]] skip 1 using 1:5:(0):($5 > middle ? 0.45*$5 : -0.35*$5) \
+  for [k=1:open_end] (k <= open_end ? series[open[k]] : '$empty_list') skip 1 using 1:5:(0):($5 > middle ? 0.45*$5 : -0.35*$5) \
     with vectors head filled linestyle 100 + open[k] notitle, \
   for [s=1:series_count] keyentry with linespoints linestyle 100 + s title series_title[s], \
   for [k=1:here_count] here[k] skip 1 using 1:2 \
