@@ -1,9 +1,35 @@
 #pragma once
 
+#include <array>
 #include <filesystem>
+#include <span>
+#include <string>
 #include <vector>
 
 #include "experiments/claims/claims.hpp"
+#include "experiments/quantities/measurement.hpp"
+
+/// What one change of the scene does to the bed of 5 mm glass, and which claims it would bring inside the paper's band.
+namespace slfb::single_changes {
+
+/// The system and the superficial velocities [m/s] of the changed runs.
+inline constexpr const char* system_name = "6in5W";
+inline constexpr std::array velocities{0.06, 0.10};
+
+/// One thing that the runs of a profile, or those of one variant of it, have otherwise than the unchanged scene.
+struct Change {
+  const char *profile, *variant, *title;
+};
+
+/// Numerics, liquid, forces, contacts, drag law.
+std::span<const Change> changes();
+
+/// Measurements of the runs with this change, and of the unchanged ones, under the same keys (without a variant). Empty
+/// where nothing is simulated. `results`: folder of runs/.
+Measurements measure(const Change& change, const std::filesystem::path& results);
+Measurements measure_unchanged(const std::filesystem::path& results);
+
+}  // namespace slfb::single_changes
 
 namespace slfb {
 
