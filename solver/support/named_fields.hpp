@@ -6,7 +6,6 @@
 #include <stdexcept>
 #include <string>
 #include <string_view>
-#include <utility>
 #include <vector>
 
 namespace slfb {
@@ -31,8 +30,8 @@ inline const std::vector<double>& field_of(const NamedFields& fields, const std:
 }
 
 /// Adds the fields of a part as "part/name".
-inline void add_part(NamedFields& fields, std::string_view part, NamedFields of_part) {
-  for (auto& [name, values] : of_part) fields[fmt::format("{}/{}", part, name)] = std::move(values);
+inline void add_part(NamedFields& fields, std::string_view part, const NamedFields& of_part) {
+  for (const auto& [name, values] : of_part) fields[fmt::format("{}/{}", part, name)] = values;
 }
 
 /// The fields of a part by their own names; empty if it has none.
