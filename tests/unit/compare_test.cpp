@@ -268,6 +268,7 @@ TEST_F(CompareCommand, ErrorsComeBeforeAnyWork) {
   EXPECT_NE(error_of({"--void-fraction", "centroid,exact-overlap", "--tier", "correlation"}).find("1d and 3d"),
             std::string::npos);
   EXPECT_NE(error_of({"--drag", "wen-yu-1966", "--contact", "hertz"}).find("excludes"), std::string::npos);
+  EXPECT_NE(error_of({"--drag", "wen-yu-1966", "--work", "nobody_1900"}).find("nobody_1900"), std::string::npos);
   EXPECT_NE(error_of({}).find("--drag"), std::string::npos);
 }
 
