@@ -93,7 +93,7 @@ FigureOutput draw(const FigureContext& context) {
       rows.push_back({what, solved.title(quantity), fmt::format("{:.3g}", point->values.at(quantity).value),
                       fmt::format("{:.3g}", reference->second.value),
                       fmt::format("{:+.1f} ± {:.1f} %", 100.0 * change, 100.0 * error->half_width),
-                      std::abs(change) > error->half_width ? "changed" : "no change told"});
+                      std::abs(change) > error->half_width ? "changed" : "not significant"});
       data.rows.push_back(
           {static_cast<double>(rows.size()), point->values.at(quantity).value, reference->second.value, change});
     }
