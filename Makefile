@@ -5,19 +5,21 @@ PROFILE ?= quick
 STUDIES ?= quick
 SOURCES = git ls-files --cached --others --exclude-standard '*.cpp' '*.hpp'
 
-.PHONY: help figures pdf test build install format lint debug asan tsan
+.PHONY: help figures pdf test program build install format lint sanitize debug asan tsan
 
 help:
 	@echo "make figures  the figures of the paper and the report (PROFILE, STUDIES = quick or full)"
 	@echo "make pdf      the report as build/report/report.pdf, after make figures"
 	@echo "make test     all tests"
+	@echo "make program  build/slfb alone"
 	@echo "make build    build/slfb and the tests"
 	@echo "make install  the Debian packages that are missing (.ci/packages.txt)"
 	@echo "make format   lay out the code"
 	@echo "make lint     layout and static checks"
+	@echo "make sanitize the fast tests with the address and undefined-behaviour sanitizers"
 	@echo "make debug    all tests without optimisation; asan, tsan: with the sanitizers"
 
-figures: build
+figures: program
 	build/slfb frontier --set $(STUDIES)
 	build/slfb stability --set $(STUDIES)
 	build/slfb figures --profile $(PROFILE)
@@ -31,6 +33,10 @@ pdf:
 
 test: build
 	ctest --preset release --parallel $(JOBS)
+
+program: install
+	cmake --preset release
+	cmake --build --preset release --parallel $(JOBS) --target slfb
 
 build: install
 	cmake --preset release
