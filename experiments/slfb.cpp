@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "experiments/commands/commands.hpp"
+#include "experiments/work/work.hpp"
 #include "solver/scene/scene.hpp"
 
 namespace {
@@ -16,11 +17,15 @@ namespace {
 constexpr int failure_status = 1;
 constexpr int usage_status = 2;
 
-constexpr const char* introduction =
-    "slfb simulates solid-liquid fluidised beds by CFD-DEM and compares the result with the literature.\n"
-    "It makes the figures of Peng et al. (2014), doi 10.1016/j.ces.2014.04.040, and says how far each is from the "
-    "paper;\n"
-    "it checks every claim against its tolerance; and it evaluates drag and contact laws beside one another.";
+std::string introduction() {
+  std::string works;
+  for (const slfb::Work* work : slfb::works()) works += fmt::format("  {}  {}\n", work->id, work->citation);
+  return fmt::format(
+      "slfb simulates solid-liquid fluidised beds by CFD-DEM and compares the result with the literature.\n"
+      "It makes the figures of published works and says how far each is from them; it checks every claim against its\n"
+      "tolerance; and it evaluates drag and contact laws beside one another.\n\nWorks:\n{}",
+      works);
+}
 
 constexpr const char* examples = R"(Examples:
   slfb figures                                       simulate what is missing, draw the figures, write the report
@@ -52,7 +57,7 @@ int main(int argc, char** argv) {
   spdlog::set_pattern("slfb: %l: %v");
   spdlog::set_level(spdlog::level::warn);
 
-  CLI::App app(introduction, "slfb");
+  CLI::App app(introduction(), "slfb");
   app.set_version_flag("--version", fmt::format("slfb {} (numerics version {})", SLFB_VERSION, slfb::numerics_version));
   app.require_subcommand(1);
   app.footer(examples);
