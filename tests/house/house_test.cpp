@@ -43,7 +43,8 @@ class Tree {
   explicit Tree(fs::path root) : root_(std::move(root)) {
     if (fs::exists(root_ / "experiments"))
       for (const auto& entry : fs::directory_iterator(root_ / "experiments"))
-        if (fs::exists(entry.path() / "work.cpp")) works_.push_back("experiments/" + entry.path().filename().string());
+        if (fs::exists(entry.path() / "own_words.txt"))
+          works_.push_back("experiments/" + entry.path().filename().string());
     std::ranges::sort(works_);
     const auto names = entries_of(root_ / "tests/house/rooms.txt");
     for (std::size_t level = 0; level < names.size(); ++level)
