@@ -85,8 +85,11 @@ TEST_F(ChangedData, AWrongNumberInATableIsNamedWithItsLine) {
 }
 
 TEST_F(ChangedData, AnUnknownKeyIsNamedWithItsLine) {
-  const std::string message = error_with("table1.toml", "[[value]]\nid = \"a\"\ncolour = \"red\"\n");
-  EXPECT_NE(message.find("table1.toml:"), std::string::npos) << message;
+  const std::string message =
+      error_with("table1.toml",
+                 "[[value]]\nid = \"a\"\nquantity = \"q\"\nvalue = 1.0\nunit = \"m\"\nuncertainty = 0.1\nsource = "
+                 "\"p. 1\"\ncolour = \"red\"\n");
+  EXPECT_NE(message.find("table1.toml:8: colour: "), std::string::npos) << message;
 }
 
 TEST_F(ChangedData, AMissingUnitIsNamed) {
