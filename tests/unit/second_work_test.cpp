@@ -183,6 +183,7 @@ class SecondWork : public testing::Test {
     result.scene_text = canonical_toml(scene);
     result.numerics = numerics_version;
     RunSummary summary;
+    summary.run = {{"wall_seconds", 1.0}, {"simulated_seconds", 1.0}, {"particles_removed", 0.0}};
     summary.bed["pressure_drop"] = {505.0, 2.0, 1.0, 40.0, 0};
     for (const double spread : {-0.001, 0.0, 0.001})
       summary.drops.push_back({{"classification_velocity", 2.0 * spec.superficial_velocity + spread},
@@ -206,8 +207,12 @@ class SecondWork : public testing::Test {
       app.parse(arguments);
     } catch (const CLI::RuntimeError& status) {
       ADD_FAILURE() << "exit status " << status.get_exit_code();
+    } catch (const std::exception& error) {
+      ADD_FAILURE() << error.what();
     }
-    return testing::internal::GetCapturedStdout();
+    std::string text = testing::internal::GetCapturedStdout();
+    EXPECT_EQ(text.find("left out a published result"), std::string::npos) << text;
+    return text;
   }
 
   Folder folder_;
