@@ -116,7 +116,7 @@ TEST(WetRestitution, IsThatOfTheWorkOfLubrication) {
 }
 
 TEST(ComparedContactLaws, HertzWithoutAModulusTouchesAsLongAsTheLinearLaw) {
-  const RunSpec slice{"6in5W", 0.06, "", "6in5W_one-dimensional.toml", {}};
+  const RunSpec& slice = bed().one_dimensional.front();
   const auto laws = compared_contact_laws({"linear", "hertz", "hertz:youngs_modulus=1e7 Pa"}, slice, bed());
   EXPECT_EQ(laws[1].name, "hertz");
   EXPECT_EQ(laws[2].contact.youngs_modulus, 1e7);
