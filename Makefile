@@ -3,9 +3,11 @@
 JOBS ?= $(shell nproc)
 PROFILE ?= quick
 STUDIES ?= quick
+# Continuous integration takes no warning.
+WARNINGS = $(if $(CI),-DCMAKE_COMPILE_WARNING_AS_ERROR=ON)
 SOURCES = git ls-files --cached --others --exclude-standard '*.cpp' '*.hpp'
 
-.PHONY: help figures pdf test program build install format lint sanitize debug asan tsan
+.PHONY: help figures pdf test program build install format layout lint sanitize debug asan tsan
 
 help:
 	@echo "make figures  the figures of the paper and the report (PROFILE, STUDIES = quick or full)"
@@ -15,7 +17,8 @@ help:
 	@echo "make build    build/slfb and the tests"
 	@echo "make install  the Debian packages that are missing (.ci/packages.txt)"
 	@echo "make format   lay out the code"
-	@echo "make lint     layout and static checks"
+	@echo "make layout   whether the code is laid out"
+	@echo "make lint     layout and static checks (ROOMS)"
 	@echo "make sanitize the fast tests with the address and undefined-behaviour sanitizers"
 	@echo "make debug    all tests without optimisation; asan, tsan: with the sanitizers"
 
@@ -35,15 +38,21 @@ test: build
 	ctest --preset release --parallel $(JOBS)
 
 program: install
-	cmake --preset release
+	cmake --preset release $(WARNINGS)
 	cmake --build --preset release --parallel $(JOBS) --target slfb
 
 build: install
-	cmake --preset release
+	cmake --preset release $(WARNINGS)
 	cmake --build --preset release --parallel $(JOBS)
 
 install:
 	@.ci/install build
+
+# What is fast of the tests; `make asan` runs all of them.
+sanitize: install
+	cmake --preset asan $(WARNINGS)
+	cmake --build --preset asan --parallel $(JOBS) --target solver_tests laws_tests
+	ctest --preset asan --parallel $(JOBS) -R '^(solver|laws)\.'
 
 debug asan tsan:
 	@.ci/install build $(if $(filter tsan,$@),tools)
@@ -55,7 +64,11 @@ format:
 	@.ci/install tools
 	$(SOURCES) | xargs clang-format -i
 
-lint: build
+layout:
 	@.ci/install tools
 	$(SOURCES) | xargs clang-format --dry-run --Werror
-	run-clang-tidy -quiet -p build -j $(JOBS) '$(CURDIR)/(correlations|solver|experiments|reports|tests)/'
+
+# ROOMS="solver/dem reports" checks a part.
+ROOMS ?= correlations solver experiments reports tests
+lint: layout build
+	run-clang-tidy -quiet -p build -j $(JOBS) $(addsuffix /,$(addprefix $(CURDIR)/,$(ROOMS)))

@@ -17,7 +17,7 @@
 #include "solver/support/files.hpp"
 #include "solver/support/folders.hpp"
 #include "solver/support/run_program.hpp"
-#include "tests/unit/folder.hpp"
+#include "tests/temporary_folder.hpp"
 
 namespace slfb {
 namespace {

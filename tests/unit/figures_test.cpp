@@ -27,7 +27,7 @@
 #include "reports/gnuplot.hpp"
 #include "reports/html.hpp"
 #include "reports/report.hpp"
-#include "tests/unit/folder.hpp"
+#include "tests/temporary_folder.hpp"
 #include "tests/unit/synthetic_runs.hpp"
 
 namespace slfb {

@@ -8,7 +8,7 @@
 #include <string>
 
 #include "experiments/peng_2014/work.hpp"
-#include "tests/unit/folder.hpp"
+#include "tests/temporary_folder.hpp"
 
 namespace slfb {
 namespace {

@@ -14,7 +14,7 @@
 #include "experiments/numerics/stability/map_chart.hpp"
 #include "experiments/numerics/studies/solved_set.hpp"
 #include "solver/support/files.hpp"
-#include "tests/unit/folder.hpp"
+#include "tests/temporary_folder.hpp"
 
 namespace slfb {
 namespace {

@@ -13,7 +13,7 @@
 #include "reports/figure_pages.hpp"
 #include "reports/html.hpp"
 #include "solver/support/files.hpp"
-#include "tests/unit/folder.hpp"
+#include "tests/temporary_folder.hpp"
 
 namespace slfb::reports {
 namespace {

@@ -17,7 +17,7 @@
 #include "experiments/work/profiles.hpp"
 #include "solver/support/files.hpp"
 #include "solver/support/folders.hpp"
-#include "tests/unit/folder.hpp"
+#include "tests/temporary_folder.hpp"
 
 namespace slfb {
 namespace {

@@ -10,7 +10,7 @@
 #include "experiments/peng_2014/work.hpp"
 #include "experiments/runs/measure.hpp"
 
-namespace slfb {
+namespace slfb::causes {
 namespace {
 
 const FigureFolder folder{"peng_2014/causes"};
@@ -82,6 +82,6 @@ FigureOutput draw(const FigureContext& outer) {
 
 }  // namespace
 
-Figure causes() { return {"causes", folder.title(), needs, draw, folder.path().string()}; }
+Figure figure() { return {"causes", folder.title(), needs, draw, folder.path().string()}; }
 
-}  // namespace slfb
+}  // namespace slfb::causes

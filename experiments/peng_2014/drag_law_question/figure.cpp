@@ -17,7 +17,7 @@
 #include "experiments/peng_2014/work.hpp"
 #include "experiments/runs/measure.hpp"
 
-namespace slfb {
+namespace slfb::drag_law_question {
 namespace {
 
 const FigureFolder folder{"peng_2014/drag_law_question"};
@@ -154,6 +154,6 @@ FigureOutput draw(const FigureContext& outer) {
 
 }  // namespace
 
-Figure drag_law_question() { return {"drag-law", folder.title(), needs, draw, folder.path().string()}; }
+Figure figure() { return {"drag-law", folder.title(), needs, draw, folder.path().string()}; }
 
-}  // namespace slfb
+}  // namespace slfb::drag_law_question

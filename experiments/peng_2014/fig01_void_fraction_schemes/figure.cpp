@@ -15,7 +15,7 @@
 #include "solver/coupling/void_fraction/particle_meshing.hpp"
 #include "solver/support/processor.hpp"
 
-namespace slfb {
+namespace slfb::fig01_void_fraction_schemes {
 namespace {
 
 const FigureFolder folder{"peng_2014/fig01_void_fraction_schemes"};
@@ -71,7 +71,8 @@ std::array<DataTable, 2> errors(const void_fraction_study::Assembly& assembly) {
                     table_of_methods("fig01_largest", "cell size [diameters]")};
   for (const Width& width : widths) {
     for (auto& table : tables) table.rows.push_back({assembly.side / width.across});
-    for (const Outcome& outcome : compare(assembly, width.across, width.placements, 0.0, methods())) {
+    for (const Outcome& outcome :
+         void_fraction_study::compare(assembly, width.across, width.placements, 0.0, methods())) {
       tables[0].rows.back().push_back(outcome.root_mean_square);
       tables[1].rows.back().push_back(outcome.largest);
     }
@@ -122,7 +123,7 @@ FigureOutput draw(const FigureContext& context) {
 
   const auto [mean, largest] = errors(assembly);
   const auto [crossing, rate] = crossings(paper_cell);
-  const auto outcomes = compare(assembly, across_of_paper, 1, 0.1, methods());
+  const auto outcomes = void_fraction_study::compare(assembly, across_of_paper, 1, 0.1, methods());
   DataTable cost{
       "fig01_cost",
       {fmt::format("CPU time on {} [ns per sphere]", when), "root mean square error [-]", "largest error [-]"},
@@ -150,6 +151,6 @@ FigureOutput draw(const FigureContext& context) {
 
 }  // namespace
 
-Figure fig01() { return {"fig01", folder.title(), no_runs, draw, folder.path().string()}; }
+Figure figure() { return {"fig01", folder.title(), no_runs, draw, folder.path().string()}; }
 
-}  // namespace slfb
+}  // namespace slfb::fig01_void_fraction_schemes

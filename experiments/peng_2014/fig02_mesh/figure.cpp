@@ -12,7 +12,7 @@
 #include "solver/fluid/column_grid.hpp"
 #include "solver/support/folders.hpp"
 
-namespace slfb {
+namespace slfb::fig02_mesh {
 namespace {
 
 const FigureFolder folder{"peng_2014/fig02_mesh"};
@@ -108,6 +108,6 @@ FigureOutput draw(const FigureContext& context) {
 
 }  // namespace
 
-Figure fig02() { return {"fig02", folder.title(), no_runs, draw, folder.path().string()}; }
+Figure figure() { return {"fig02", folder.title(), no_runs, draw, folder.path().string()}; }
 
-}  // namespace slfb
+}  // namespace slfb::fig02_mesh

@@ -2,7 +2,7 @@
 #include "experiments/peng_2014/figures.hpp"
 #include "reports/gnuplot.hpp"
 
-namespace slfb {
+namespace slfb::fig03_settling_rig {
 namespace {
 
 const FigureFolder folder{"peng_2014/fig03_settling_rig"};
@@ -14,6 +14,6 @@ FigureOutput draw(const FigureContext& context) {
 
 }  // namespace
 
-Figure fig03() { return {"fig03", folder.title(), no_runs, draw, folder.path().string()}; }
+Figure figure() { return {"fig03", folder.title(), no_runs, draw, folder.path().string()}; }
 
-}  // namespace slfb
+}  // namespace slfb::fig03_settling_rig

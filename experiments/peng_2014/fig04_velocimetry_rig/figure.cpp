@@ -2,7 +2,7 @@
 #include "experiments/peng_2014/figures.hpp"
 #include "reports/gnuplot.hpp"
 
-namespace slfb {
+namespace slfb::fig04_velocimetry_rig {
 namespace {
 
 const FigureFolder folder{"peng_2014/fig04_velocimetry_rig"};
@@ -14,6 +14,6 @@ FigureOutput draw(const FigureContext& context) {
 
 }  // namespace
 
-Figure fig04() { return {"fig04", folder.title(), no_runs, draw, folder.path().string()}; }
+Figure figure() { return {"fig04", folder.title(), no_runs, draw, folder.path().string()}; }
 
-}  // namespace slfb
+}  // namespace slfb::fig04_velocimetry_rig

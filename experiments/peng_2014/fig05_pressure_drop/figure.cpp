@@ -9,7 +9,7 @@
 #include "experiments/peng_2014/paper_conditions.hpp"
 #include "experiments/peng_2014/reference.hpp"
 
-namespace slfb {
+namespace slfb::fig05_pressure_drop {
 namespace {
 
 const FigureFolder folder{"peng_2014/fig05_pressure_drop"};
@@ -104,6 +104,6 @@ FigureOutput draw(const FigureContext& context) {
 
 }  // namespace
 
-Figure fig05() { return {"fig05", folder.title(), needs, draw, folder.path().string()}; }
+Figure figure() { return {"fig05", folder.title(), needs, draw, folder.path().string()}; }
 
-}  // namespace slfb
+}  // namespace slfb::fig05_pressure_drop

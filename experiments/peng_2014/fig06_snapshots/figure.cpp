@@ -10,7 +10,7 @@
 #include "experiments/peng_2014/figures.hpp"
 #include "experiments/peng_2014/reference.hpp"
 
-namespace slfb {
+namespace slfb::fig06_snapshots {
 namespace {
 
 const FigureFolder folder{"peng_2014/fig06_snapshots"};
@@ -80,6 +80,6 @@ FigureOutput draw(const FigureContext& context) {
 
 }  // namespace
 
-Figure fig06() { return {"fig06", folder.title(), needs, draw, folder.path().string()}; }
+Figure figure() { return {"fig06", folder.title(), needs, draw, folder.path().string()}; }
 
-}  // namespace slfb
+}  // namespace slfb::fig06_snapshots

@@ -9,7 +9,7 @@
 #include "experiments/peng_2014/figures.hpp"
 #include "experiments/peng_2014/reference.hpp"
 
-namespace slfb {
+namespace slfb::fig07_heights {
 namespace {
 
 const FigureFolder folder{"peng_2014/fig07_heights"};
@@ -87,6 +87,6 @@ FigureOutput draw(const FigureContext& context) {
 
 }  // namespace
 
-Figure fig07() { return {"fig07", folder.title(), needs, draw, folder.path().string()}; }
+Figure figure() { return {"fig07", folder.title(), needs, draw, folder.path().string()}; }
 
-}  // namespace slfb
+}  // namespace slfb::fig07_heights

@@ -17,7 +17,7 @@
 #include "experiments/runs/measure.hpp"
 #include "solver/run/one_particle.hpp"
 
-namespace slfb {
+namespace slfb::fig08_history {
 namespace {
 
 const FigureFolder folder{"peng_2014/fig08_history"};
@@ -167,6 +167,6 @@ FigureOutput draw(const FigureContext& context) {
 
 }  // namespace
 
-Figure fig08() { return {"fig08", folder.title(), needs, draw, folder.path().string()}; }
+Figure figure() { return {"fig08", folder.title(), needs, draw, folder.path().string()}; }
 
-}  // namespace slfb
+}  // namespace slfb::fig08_history

@@ -12,7 +12,7 @@
 #include "experiments/quantities/analysis.hpp"
 #include "experiments/runs/measure.hpp"
 
-namespace slfb {
+namespace slfb::fig09_trajectories {
 namespace {
 
 const FigureFolder folder{"peng_2014/fig09_trajectories"};
@@ -121,6 +121,6 @@ FigureOutput draw(const FigureContext& context) {
 
 }  // namespace
 
-Figure fig09() { return {"fig09", folder.title(), needs, draw, folder.path().string()}; }
+Figure figure() { return {"fig09", folder.title(), needs, draw, folder.path().string()}; }
 
-}  // namespace slfb
+}  // namespace slfb::fig09_trajectories

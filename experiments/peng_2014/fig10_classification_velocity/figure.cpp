@@ -13,7 +13,7 @@
 #include "experiments/peng_2014/work.hpp"
 #include "experiments/quantities/analysis.hpp"
 
-namespace slfb {
+namespace slfb::fig10_classification_velocity {
 namespace {
 
 const FigureFolder folder{"peng_2014/fig10_classification_velocity"};
@@ -82,6 +82,6 @@ FigureOutput draw(const FigureContext& context) {
 
 }  // namespace
 
-Figure fig10() { return {"fig10", folder.title(), needs, draw, folder.path().string()}; }
+Figure figure() { return {"fig10", folder.title(), needs, draw, folder.path().string()}; }
 
-}  // namespace slfb
+}  // namespace slfb::fig10_classification_velocity

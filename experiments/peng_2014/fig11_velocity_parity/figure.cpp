@@ -10,7 +10,7 @@
 #include "experiments/peng_2014/reference.hpp"
 #include "experiments/runs/measure.hpp"
 
-namespace slfb {
+namespace slfb::fig11_velocity_parity {
 namespace {
 
 const FigureFolder folder{"peng_2014/fig11_velocity_parity"};
@@ -67,6 +67,6 @@ FigureOutput draw(const FigureContext& context) {
 
 }  // namespace
 
-Figure fig11() { return {"fig11", folder.title(), needs, draw, folder.path().string()}; }
+Figure figure() { return {"fig11", folder.title(), needs, draw, folder.path().string()}; }
 
-}  // namespace slfb
+}  // namespace slfb::fig11_velocity_parity

@@ -6,7 +6,7 @@
 #include "experiments/peng_2014/figures.hpp"
 #include "experiments/peng_2014/reference.hpp"
 
-namespace slfb {
+namespace slfb::fig12_liquid_fluctuation {
 namespace {
 
 const FigureFolder folder{"peng_2014/fig12_liquid_fluctuation"};
@@ -54,6 +54,6 @@ FigureOutput draw(const FigureContext& context) {
 
 }  // namespace
 
-Figure fig12() { return {"fig12", folder.title(), needs, draw, folder.path().string()}; }
+Figure figure() { return {"fig12", folder.title(), needs, draw, folder.path().string()}; }
 
-}  // namespace slfb
+}  // namespace slfb::fig12_liquid_fluctuation

@@ -9,7 +9,7 @@
 #include "experiments/peng_2014/reference.hpp"
 #include "experiments/runs/measure.hpp"
 
-namespace slfb {
+namespace slfb::fig13_void_fraction {
 namespace {
 
 const FigureFolder folder{"peng_2014/fig13_void_fraction"};
@@ -87,6 +87,6 @@ FigureOutput draw(const FigureContext& context) {
 
 }  // namespace
 
-Figure fig13() { return {"fig13", folder.title(), needs, draw, folder.path().string()}; }
+Figure figure() { return {"fig13", folder.title(), needs, draw, folder.path().string()}; }
 
-}  // namespace slfb
+}  // namespace slfb::fig13_void_fraction

@@ -9,7 +9,7 @@
 #include "experiments/peng_2014/reference.hpp"
 #include "experiments/quantities/analysis.hpp"
 
-namespace slfb {
+namespace slfb::fig14_vorticity {
 namespace {
 
 const FigureFolder folder{"peng_2014/fig14_vorticity"};
@@ -93,6 +93,6 @@ FigureOutput draw(const FigureContext& context) {
 
 }  // namespace
 
-Figure fig14() { return {"fig14", folder.title(), needs, draw, folder.path().string()}; }
+Figure figure() { return {"fig14", folder.title(), needs, draw, folder.path().string()}; }
 
-}  // namespace slfb
+}  // namespace slfb::fig14_vorticity

@@ -11,7 +11,7 @@
 #include "experiments/peng_2014/figures.hpp"
 #include "experiments/runs/measure.hpp"
 
-namespace slfb {
+namespace slfb::fig15_paths {
 namespace {
 
 const FigureFolder folder{"peng_2014/fig15_paths"};
@@ -92,6 +92,6 @@ FigureOutput draw(const FigureContext& context) {
 
 }  // namespace
 
-Figure fig15() { return {"fig15", folder.title(), needs, draw, folder.path().string()}; }
+Figure figure() { return {"fig15", folder.title(), needs, draw, folder.path().string()}; }
 
-}  // namespace slfb
+}  // namespace slfb::fig15_paths

@@ -9,7 +9,7 @@
 #include "experiments/peng_2014/reference.hpp"
 #include "experiments/peng_2014/work.hpp"
 
-namespace slfb {
+namespace slfb::fig16_contacts {
 namespace {
 
 const FigureFolder folder{"peng_2014/fig16_contacts"};
@@ -54,6 +54,6 @@ FigureOutput draw(const FigureContext& context) {
 
 }  // namespace
 
-Figure fig16() { return {"fig16", folder.title(), needs, draw, folder.path().string()}; }
+Figure figure() { return {"fig16", folder.title(), needs, draw, folder.path().string()}; }
 
-}  // namespace slfb
+}  // namespace slfb::fig16_contacts

@@ -15,7 +15,7 @@
 #include "experiments/peng_2014/reference.hpp"
 #include "experiments/peng_2014/work.hpp"
 
-namespace slfb {
+namespace slfb::fig17_collisions {
 namespace {
 
 const FigureFolder folder{"peng_2014/fig17_collisions"};
@@ -114,6 +114,6 @@ FigureOutput draw(const FigureContext& context) {
 
 }  // namespace
 
-Figure fig17() { return {"fig17", folder.title(), needs, draw, folder.path().string()}; }
+Figure figure() { return {"fig17", folder.title(), needs, draw, folder.path().string()}; }
 
-}  // namespace slfb
+}  // namespace slfb::fig17_collisions

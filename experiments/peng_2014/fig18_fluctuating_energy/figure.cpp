@@ -5,7 +5,7 @@
 #include "experiments/peng_2014/figures.hpp"
 #include "experiments/peng_2014/reference.hpp"
 
-namespace slfb {
+namespace slfb::fig18_fluctuating_energy {
 namespace {
 
 const FigureFolder folder{"peng_2014/fig18_fluctuating_energy"};
@@ -40,6 +40,6 @@ FigureOutput draw(const FigureContext& context) {
 
 }  // namespace
 
-Figure fig18() { return {"fig18", folder.title(), needs, draw, folder.path().string()}; }
+Figure figure() { return {"fig18", folder.title(), needs, draw, folder.path().string()}; }
 
-}  // namespace slfb
+}  // namespace slfb::fig18_fluctuating_energy

@@ -11,7 +11,7 @@
 #include "experiments/peng_2014/reference.hpp"
 #include "experiments/peng_2014/work.hpp"
 
-namespace slfb {
+namespace slfb::fig19_dimensionless_frequency {
 namespace {
 
 const FigureFolder folder{"peng_2014/fig19_dimensionless_frequency"};
@@ -72,6 +72,6 @@ FigureOutput draw(const FigureContext& context) {
 
 }  // namespace
 
-Figure fig19() { return {"fig19", folder.title(), needs, draw, folder.path().string()}; }
+Figure figure() { return {"fig19", folder.title(), needs, draw, folder.path().string()}; }
 
-}  // namespace slfb
+}  // namespace slfb::fig19_dimensionless_frequency

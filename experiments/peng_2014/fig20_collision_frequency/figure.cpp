@@ -12,7 +12,7 @@
 #include "experiments/peng_2014/reference.hpp"
 #include "experiments/peng_2014/work.hpp"
 
-namespace slfb {
+namespace slfb::fig20_collision_frequency {
 namespace {
 
 const FigureFolder folder{"peng_2014/fig20_collision_frequency"};
@@ -62,6 +62,6 @@ FigureOutput draw(const FigureContext& context) {
 
 }  // namespace
 
-Figure fig20() { return {"fig20", folder.title(), needs, draw, folder.path().string()}; }
+Figure figure() { return {"fig20", folder.title(), needs, draw, folder.path().string()}; }
 
-}  // namespace slfb
+}  // namespace slfb::fig20_collision_frequency

@@ -14,7 +14,7 @@
 #include "experiments/quantities/analysis.hpp"
 #include "experiments/runs/measure.hpp"
 
-namespace slfb {
+namespace slfb::fig21_force_history {
 namespace {
 
 const FigureFolder folder{"peng_2014/fig21_force_history"};
@@ -103,6 +103,6 @@ FigureOutput draw(const FigureContext& context) {
 
 }  // namespace
 
-Figure fig21() { return {"fig21", folder.title(), needs, draw, folder.path().string()}; }
+Figure figure() { return {"fig21", folder.title(), needs, draw, folder.path().string()}; }
 
-}  // namespace slfb
+}  // namespace slfb::fig21_force_history

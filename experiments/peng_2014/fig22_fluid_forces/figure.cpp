@@ -7,7 +7,7 @@
 #include "experiments/peng_2014/reference.hpp"
 #include "experiments/runs/measure.hpp"
 
-namespace slfb {
+namespace slfb::fig22_fluid_forces {
 namespace {
 
 const FigureFolder folder{"peng_2014/fig22_fluid_forces"};
@@ -59,6 +59,6 @@ FigureOutput draw(const FigureContext& context) {
 
 }  // namespace
 
-Figure fig22() { return {"fig22", folder.title(), needs, draw, folder.path().string()}; }
+Figure figure() { return {"fig22", folder.title(), needs, draw, folder.path().string()}; }
 
-}  // namespace slfb
+}  // namespace slfb::fig22_fluid_forces

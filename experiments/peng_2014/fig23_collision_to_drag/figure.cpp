@@ -8,7 +8,7 @@
 #include "experiments/peng_2014/reference.hpp"
 #include "experiments/runs/measure.hpp"
 
-namespace slfb {
+namespace slfb::fig23_collision_to_drag {
 namespace {
 
 const FigureFolder folder{"peng_2014/fig23_collision_to_drag"};
@@ -58,6 +58,6 @@ FigureOutput draw(const FigureContext& context) {
 
 }  // namespace
 
-Figure fig23() { return {"fig23", folder.title(), needs, draw, folder.path().string()}; }
+Figure figure() { return {"fig23", folder.title(), needs, draw, folder.path().string()}; }
 
-}  // namespace slfb
+}  // namespace slfb::fig23_collision_to_drag

@@ -7,7 +7,7 @@
 #include "experiments/peng_2014/paper_conditions.hpp"
 #include "experiments/peng_2014/reference.hpp"
 
-namespace slfb {
+namespace slfb::fig24_force_and_voidage {
 namespace {
 
 const FigureFolder folder{"peng_2014/fig24_force_and_voidage"};
@@ -47,6 +47,6 @@ FigureOutput draw(const FigureContext& context) {
 
 }  // namespace
 
-Figure fig24() { return {"fig24", folder.title(), needs, draw, folder.path().string()}; }
+Figure figure() { return {"fig24", folder.title(), needs, draw, folder.path().string()}; }
 
-}  // namespace slfb
+}  // namespace slfb::fig24_force_and_voidage

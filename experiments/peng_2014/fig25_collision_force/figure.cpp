@@ -9,7 +9,7 @@
 #include "experiments/peng_2014/paper_conditions.hpp"
 #include "experiments/peng_2014/reference.hpp"
 
-namespace slfb {
+namespace slfb::fig25_collision_force {
 namespace {
 
 const FigureFolder folder{"peng_2014/fig25_collision_force"};
@@ -69,6 +69,6 @@ FigureOutput draw(const FigureContext& context) {
 
 }  // namespace
 
-Figure fig25() { return {"fig25", folder.title(), needs, draw, folder.path().string()}; }
+Figure figure() { return {"fig25", folder.title(), needs, draw, folder.path().string()}; }
 
-}  // namespace slfb
+}  // namespace slfb::fig25_collision_force

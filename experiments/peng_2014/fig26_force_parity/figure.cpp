@@ -10,7 +10,7 @@
 #include "experiments/peng_2014/figures.hpp"
 #include "experiments/peng_2014/paper_conditions.hpp"
 
-namespace slfb {
+namespace slfb::fig26_force_parity {
 namespace {
 
 const FigureFolder folder{"peng_2014/fig26_force_parity"};
@@ -72,6 +72,6 @@ FigureOutput draw(const FigureContext& context) {
 
 }  // namespace
 
-Figure fig26() { return {"fig26", folder.title(), needs, draw, folder.path().string()}; }
+Figure figure() { return {"fig26", folder.title(), needs, draw, folder.path().string()}; }
 
-}  // namespace slfb
+}  // namespace slfb::fig26_force_parity

@@ -11,7 +11,7 @@
 #include "solver/support/folders.hpp"
 #include "solver/support/toml_table.hpp"
 
-namespace slfb {
+namespace slfb::from_66_hours {
 namespace {
 
 const FigureFolder folder{"peng_2014/from_66_hours"};
@@ -104,6 +104,6 @@ FigureOutput draw(const FigureContext& context) {
 
 }  // namespace
 
-Figure from_66_hours() { return {"from-66-hours", folder.title(), no_runs, draw, folder.path().string()}; }
+Figure figure() { return {"from-66-hours", folder.title(), no_runs, draw, folder.path().string()}; }
 
-}  // namespace slfb
+}  // namespace slfb::from_66_hours

@@ -12,7 +12,7 @@
 #include "solver/support/folders.hpp"
 #include "solver/support/toml_table.hpp"
 
-namespace slfb {
+namespace slfb::paper_steps {
 namespace {
 
 using frontier::ReducedPoint;
@@ -106,6 +106,6 @@ FigureOutput draw(const FigureContext& context) {
 
 }  // namespace
 
-Figure paper_steps() { return {"paper-steps", folder.title(), no_runs, draw, folder.path().string()}; }
+Figure figure() { return {"paper-steps", folder.title(), no_runs, draw, folder.path().string()}; }
 
-}  // namespace slfb
+}  // namespace slfb::paper_steps

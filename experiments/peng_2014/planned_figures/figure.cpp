@@ -6,7 +6,7 @@
 #include "experiments/peng_2014/figures.hpp"
 #include "experiments/peng_2014/planned_figures/figure_plans.hpp"
 
-namespace slfb {
+namespace slfb::planned_figures {
 namespace {
 
 const FigureFolder folder{"peng_2014/planned_figures"};
@@ -34,6 +34,6 @@ FigureOutput draw(const FigureContext& context) {
 
 }  // namespace
 
-Figure planned_figures() { return {"planned-figures", folder.title(), no_runs, draw, folder.path().string()}; }
+Figure figure() { return {"planned-figures", folder.title(), no_runs, draw, folder.path().string()}; }
 
-}  // namespace slfb
+}  // namespace slfb::planned_figures

@@ -13,7 +13,7 @@
 #include "experiments/peng_2014/paper_conditions.hpp"
 #include "experiments/peng_2014/reference.hpp"
 
-namespace slfb {
+namespace slfb::printed_voidage {
 namespace {
 
 const FigureFolder folder{"peng_2014/printed_voidage"};
@@ -110,6 +110,6 @@ FigureOutput draw(const FigureContext& context) {
 
 }  // namespace
 
-Figure printed_voidage() { return {"printed-voidage", folder.title(), needs, draw, folder.path().string()}; }
+Figure figure() { return {"printed-voidage", folder.title(), needs, draw, folder.path().string()}; }
 
-}  // namespace slfb
+}  // namespace slfb::printed_voidage

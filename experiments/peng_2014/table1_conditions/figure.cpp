@@ -12,7 +12,7 @@
 #include "experiments/runs/run_files.hpp"
 #include "solver/support/folders.hpp"
 
-namespace slfb {
+namespace slfb::table1_conditions {
 namespace {
 
 const FigureFolder folder{"peng_2014/table1_conditions"};
@@ -78,6 +78,6 @@ FigureOutput draw(const FigureContext& context) {
 
 }  // namespace
 
-Figure table1() { return {"table1", folder.title(), no_runs, draw, folder.path().string()}; }
+Figure figure() { return {"table1", folder.title(), no_runs, draw, folder.path().string()}; }
 
-}  // namespace slfb
+}  // namespace slfb::table1_conditions

@@ -9,7 +9,7 @@
 #include "experiments/peng_2014/reference.hpp"
 #include "experiments/runs/measure.hpp"
 
-namespace slfb {
+namespace slfb::table2_fitted_lines {
 namespace {
 
 const FigureFolder folder{"peng_2014/table2_fitted_lines"};
@@ -65,6 +65,6 @@ FigureOutput draw(const FigureContext& context) {
 
 }  // namespace
 
-Figure table2() { return {"table2", folder.title(), needs, draw, folder.path().string()}; }
+Figure figure() { return {"table2", folder.title(), needs, draw, folder.path().string()}; }
 
-}  // namespace slfb
+}  // namespace slfb::table2_fitted_lines

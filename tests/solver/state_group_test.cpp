@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "solver/io/hdf5_file.hpp"
-#include "tests/unit/folder.hpp"
+#include "tests/temporary_folder.hpp"
 
 namespace slfb::io {
 namespace {

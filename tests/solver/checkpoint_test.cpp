@@ -8,7 +8,7 @@
 #include "solver/io/hdf5_file.hpp"
 #include "solver/run/checkpoint_files.hpp"
 #include "solver/run/model.hpp"
-#include "tests/unit/folder.hpp"
+#include "tests/temporary_folder.hpp"
 
 namespace slfb::simulation {
 namespace {
