@@ -109,6 +109,7 @@ void print_table(const std::vector<Evaluation>& evaluations) {
              counts.gates_broken);
 }
 
+/// Not by renaming: the file may be a pipe.
 void write_file(const std::filesystem::path& file, const std::string& text) {
   std::ofstream stream(file);
   stream << text;

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <atomic>
 #include <condition_variable>
-#include <fstream>
 #include <mutex>
 #include <set>
 #include <stdexcept>
@@ -19,6 +18,7 @@
 #include "experiments/runs/stop_signals.hpp"
 #include "solver/laws/user_law.hpp"
 #include "solver/run/simulation.hpp"
+#include "solver/support/files.hpp"
 
 namespace slfb {
 namespace {
@@ -32,13 +32,6 @@ struct Task {
 
 enum class Ending { finished, failed, interrupted };
 
-void write_scene_file(const Scene& scene, const std::filesystem::path& file) {
-  std::ofstream stream(file);
-  stream << canonical_toml(scene);
-  stream.close();
-  if (!stream) throw std::runtime_error(fmt::format("{}: cannot write the scene", file.string()));
-}
-
 /// Runs one task and reports how it ended; `failure` is why where it failed.
 Ending run_task(const Task& task, std::size_t number, const CampaignOptions& options, const std::atomic<bool>& stop,
                 ProgressDisplay& display, std::string& failure) {
@@ -50,7 +43,7 @@ Ending run_task(const Task& task, std::size_t number, const CampaignOptions& opt
       display.end(number, fmt::format("{}: finished by another slfb", task.label));
       return Ending::finished;
     }
-    write_scene_file(*task.scene, directory / "scene.toml");
+    write_file(directory / "scene.toml", canonical_toml(*task.scene));
     for (const auto& [law, name] : {std::pair{task.scene->coupling.drag_law, "drag_law.cpp"},
                                     std::pair{task.scene->contact.law, "contact_law.cpp"}})
       if (is_user_law(law))

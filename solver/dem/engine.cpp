@@ -46,9 +46,10 @@ Engine::Engine(const Contact& contact, const ContactLawKernels& law, std::vector
       choose_integrator<Gear>();
       break;
   }
-  for (int image = 0; image < 27; ++image)
-    image_shift_[static_cast<std::size_t>(image)] = {(image % 3 - 1) * period[0], (image / 3 % 3 - 1) * period[1],
-                                                     (image / 9 - 1) * period[2], 0.0};
+  for (int image = 0; image < 27; ++image) {
+    const int x = image % 3 - 1, y = image / 3 % 3 - 1, z = image / 9 - 1;
+    image_shift_[static_cast<std::size_t>(image)] = {x * period[0], y * period[1], z * period[2], 0.0};
+  }
   for (int t = 0; t < threads; ++t) partitions_.push_back(std::make_unique<ThreadPartition>());
 }
 

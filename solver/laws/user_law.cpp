@@ -59,7 +59,7 @@ std::vector<std::string> compiler_words() {
 }
 
 std::string hint(const std::string& message, const UserLawKind& kind) {
-  const std::string compiles = fmt::format("`slfb compare --template {}` prints a file that compiles.", kind.word);
+  std::string compiles = fmt::format("`slfb compare --template {}` prints a file that compiles.", kind.word);
   if (message.find("Dual") != std::string::npos)
     return "The formula is also evaluated for numbers that carry their derivative: write `using std::pow;` and then "
            "pow(x, y) without std::, likewise exp, log10 and sqrt; or take SuspensionFlow instead of a template. " +
@@ -73,7 +73,7 @@ std::string hint(const std::string& message, const UserLawKind& kind) {
 fs::path compile(const fs::path& file, const std::string& content, const UserLawKind& kind) {
   std::vector<std::string> command = compiler_words();
   const fs::path folder = SLFB_LAW_FOLDER;
-  const fs::path object = folder / (digits(fmt::format("{} {}", content, fmt::join(command, " "))) + ".so");
+  fs::path object = folder / (digits(fmt::format("{} {}", content, fmt::join(command, " "))) + ".so");
   if (fs::exists(object) && fs::last_write_time(object) > fs::last_write_time("/proc/self/exe")) return object;
   fs::create_directories(folder);
   // Another process may want the same: each writes its own file, and renaming is one step.

@@ -48,6 +48,7 @@ void exchange_contacts(io::StateGroup& group, std::vector<dem::ContactRecord>& r
   using Record = dem::ContactRecord;
   const auto number = [&](const std::string& name, std::uint32_t Record::*property, std::optional<std::size_t> length) {
     std::vector<std::int64_t> values;
+    values.reserve(records.size());
     for (const Record& record : records) values.push_back(record.*property);
     group.values(name, values, length);
     records.resize(values.size());
@@ -73,6 +74,7 @@ void exchange_contacts(io::StateGroup& group, std::vector<dem::ContactRecord>& r
   vector("spring", &Record::spring, "m");
   vector("rolling_memory", &Record::rolling_memory, "N m");
   std::vector<double> impact_speed;
+  impact_speed.reserve(records.size());
   for (const Record& record : records) impact_speed.push_back(record.impact_speed);
   group.values("impact_speed", impact_speed, "m s-1", records.size());
   for (std::size_t c = 0; c < records.size(); ++c) records[c].impact_speed = impact_speed[c];
@@ -141,12 +143,13 @@ void Model::exchange(io::StateGroup& state) {
     state.part("liquid", [&](io::StateGroup& group) {
       exchange_fields(group, *liquid_, [&](const NamedFields& fields) { liquid_->restore(fields); });
     });
-  for (const auto& [name, coupling] :
-       {std::pair{"exchange_at_rest", resting_.get()}, std::pair{"exchange_in_flow", flowing_.get()}})
+  const auto exchange_coupling = [&](const char* name, coupling::PhaseCoupling& coupling) {
     state.part(name, [&](io::StateGroup& group) {
-      exchange_fields(group, *coupling,
-                      [&](const NamedFields& fields) { coupling->restore(fields, engine_.particles); });
+      exchange_fields(group, coupling, [&](const NamedFields& fields) { coupling.restore(fields, engine_.particles); });
     });
+  };
+  exchange_coupling("exchange_at_rest", *resting_);
+  exchange_coupling("exchange_in_flow", *flowing_);
 }
 
 }  // namespace slfb::simulation

@@ -7,7 +7,8 @@
 
 #if defined(__AVX2__) && defined(__GLIBC__)
 /// Of glibc's vector library: atan2 of four pairs, to 4 units in the last place.
-extern "C" slfb::Pack _ZGVdN4vv_atan2(slfb::Pack y, slfb::Pack x);
+/// The name is the one that the vector ABI gives it.
+extern "C" slfb::Pack _ZGVdN4vv_atan2(slfb::Pack y, slfb::Pack x);  // NOLINT(bugprone-reserved-identifier)
 #endif
 
 namespace slfb::coupling {
