@@ -10,6 +10,8 @@
 #include <map>
 #include <string>
 
+#include "tests/temporary_folder.hpp"
+
 namespace slfb {
 namespace {
 
@@ -40,9 +42,8 @@ TEST(CheckValues, TheToleranceIsALittleOverHalfTheLastDigit) {
 
 class CheckValuesFile : public testing::Test {
  protected:
-  std::filesystem::path folder_ = std::filesystem::path(testing::TempDir()) / "slfb-check-values";
-  void SetUp() override { std::filesystem::create_directories(folder_); }
-  void TearDown() override { std::filesystem::remove_all(folder_); }
+  Folder own_folder_;
+  std::filesystem::path folder_ = own_folder_.path();
 
   std::string error_of(const std::string& line) const {
     std::ofstream(folder_ / "bad.csv") << "# remark\n" << line << '\n';

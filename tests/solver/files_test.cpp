@@ -7,6 +7,8 @@
 #include <stdexcept>
 #include <string>
 
+#include "tests/temporary_folder.hpp"
+
 namespace slfb {
 namespace {
 
@@ -14,13 +16,9 @@ namespace fs = std::filesystem;
 
 class Files : public testing::Test {
  protected:
-  void SetUp() override {
-    fs::remove_all(folder_);
-    fs::create_directories(folder_);
-  }
-  void TearDown() override { fs::remove_all(folder_); }
-
-  fs::path folder_ = fs::path(testing::TempDir()) / "slfb_files";
+  // Of each test alone: tests run beside each other.
+  Folder own_folder_;
+  fs::path folder_ = own_folder_.path();
 };
 
 std::string message_of(const auto& action) {
