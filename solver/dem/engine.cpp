@@ -469,7 +469,7 @@ void Engine::one_step(StepMode mode) {
   rebuild_when_needed();
   tracked_slot_ = tracked_ ? slot_of_[*tracked_] : std::numeric_limits<std::size_t>::max();
 
-  if (lubrication_) add_lubrication();
+  if (lubrication_ && !lubrication_suspended_) add_lubrication();
   for (auto& partition : partitions_) partition->overlap = 0.0;
   if (threads_ > 1) for_partitions([&](ThreadPartition& partition) { compute_outer(partition, mode); });
   for_partitions([&](ThreadPartition& partition) { sweep(partition, mode); });

@@ -55,6 +55,8 @@ class Engine {
   /// From now on the liquid between nearly touching spheres, and walls, resists their approach. Its forces count among
   /// those of contacts. Must be called before the first sphere is added.
   void lubricate(const Lubrication& lubrication) { lubrication_ = lubrication; }
+  /// While there is no liquid yet: whether lubricate() has no effect for now.
+  void suspend_lubrication(bool suspended) { lubrication_suspended_ = suspended; }
 
   /// The state. Between calls of advance() callers may change positions, velocities and added masses; radii and masses
   /// only before the first. Spheres are added and removed by the functions below alone.
@@ -258,6 +260,7 @@ class Engine {
   double maximum_overlap_ = 0.0;
   bool collect_collisions_ = false;
   std::optional<Lubrication> lubrication_;
+  bool lubrication_suspended_ = false;
 };
 
 }  // namespace slfb::dem

@@ -4,7 +4,11 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdint>
+#include <limits>
+#include <optional>
 
 #include "solver/scene/scene_problems.hpp"
 
@@ -18,23 +22,35 @@ double uniform(std::uint64_t seed, std::uint64_t item, std::uint64_t component) 
   return static_cast<double>(r123::Philox4x64()(counter, key)[0] >> 11) * 0x1.0p-53;
 }
 
-}  // namespace
-
-std::vector<PlacedSphere> loose_packing(const Scene& scene) {
+/// Species of each sphere, in random order.
+std::vector<int> shuffled_species(const Scene& scene) {
   std::vector<int> order;
-  double diameter = 0.0;
-  for (std::size_t s = 0; s < scene.species.size(); ++s) {
-    if (scene.species[s].count == 0) continue;
+  for (std::size_t s = 0; s < scene.species.size(); ++s)
     order.insert(order.end(), static_cast<std::size_t>(scene.species[s].count), static_cast<int>(s));
-    diameter = std::max(diameter, scene.species[s].diameter);
-  }
   for (std::size_t i = order.size(); i > 1; --i)
     std::swap(order[i - 1], order[static_cast<std::size_t>(uniform(scene.seed, i, 3) * static_cast<double>(i))]);
+  return order;
+}
 
+double largest_diameter(const Scene& scene) {
+  double diameter = 0.0;
+  for (const Species& species : scene.species)
+    if (species.count > 0) diameter = std::max(diameter, species.diameter);
+  return diameter;
+}
+
+/// Half the extent of the column in x and in y [m].
+std::array<double, 2> half_width(const Geometry& geometry) {
+  if (geometry.shape == Shape::cylinder) return {0.5 * geometry.diameter, 0.5 * geometry.diameter};
+  return {0.5 * geometry.width[0], 0.5 * geometry.width[1]};
+}
+
+std::vector<PlacedSphere> lattice(const Scene& scene) {
+  const std::vector<int> order = shuffled_species(scene);
+  const double diameter = largest_diameter(scene);
   const Geometry& geometry = scene.geometry;
   const bool cylinder = geometry.shape == Shape::cylinder;
-  const double half_x = 0.5 * (cylinder ? geometry.diameter : geometry.width[0]);
-  const double half_y = 0.5 * (cylinder ? geometry.diameter : geometry.width[1]);
+  const auto [half_x, half_y] = half_width(geometry);
   const double jitter = 0.06 * diameter, spacing = diameter + 2.0 * jitter, margin = 0.5 * diameter + jitter;
   const auto sites = [&](double half) {
     return std::max(1, static_cast<int>(std::floor((2.0 * half - 2.0 * margin) / spacing)) + 1);
@@ -61,6 +77,158 @@ std::vector<PlacedSphere> loose_packing(const Scene& scene) {
       }
   }
   return spheres;
+}
+
+/// Spheres that have their place, found by cells no smaller than the largest of them.
+class Neighbourhood {
+ public:
+  /// `half`: half the widths of the column; `height` to which it is filled; `spheres`: how many come [m]
+  Neighbourhood(std::array<double, 2> half, double height, bool periodic, double largest, std::size_t spheres)
+      : periodic_(periodic), lower_{-half[0], -half[1], 0.0}, extent_{2.0 * half[0], 2.0 * half[1], height} {
+    double size = largest;
+    const auto count = [&](std::size_t a) { return std::max(1.0, std::floor(extent_[a] / size)); };
+    // A column that is nearly empty must not cost a table of empty cells.
+    while (count(0) * count(1) * count(2) > 8.0 * static_cast<double>(spheres) + 64.0) size *= 1.5;
+    for (std::size_t a = 0; a < 3; ++a) cells_[a] = static_cast<int>(count(a));
+    newest_.assign(
+        static_cast<std::size_t>(cells_[0]) * static_cast<std::size_t>(cells_[1]) * static_cast<std::size_t>(cells_[2]),
+        none);
+    centre_.reserve(spheres);
+    radius_.reserve(spheres);
+    before_.reserve(spheres);
+  }
+
+  [[nodiscard]] bool has_room(const std::array<double, 3>& centre, double radius) const {
+    const std::array<int, 3> own = cell_of(centre);
+    std::array<std::array<int, 3>, 3> around{};
+    std::array<std::size_t, 3> count{};
+    for (std::size_t a = 0; a < 3; ++a)
+      for (int shift = -1; shift <= 1; ++shift) {
+        int c = own[a] + shift;
+        if (wraps(a)) c = (c + cells_[a]) % cells_[a];
+        if (c >= 0 && c < cells_[a]) around[a][count[a]++] = c;
+      }
+    for (std::size_t z = 0; z < count[2]; ++z)
+      for (std::size_t y = 0; y < count[1]; ++y)
+        for (std::size_t x = 0; x < count[0]; ++x)
+          for (std::uint32_t i = newest_[index({around[0][x], around[1][y], around[2][z]})]; i != none; i = before_[i])
+            if (overlap(centre, radius, i)) return false;
+    return true;
+  }
+
+  void add(const std::array<double, 3>& centre, double radius) {
+    std::uint32_t& newest = newest_[index(cell_of(centre))];
+    before_.push_back(newest);
+    newest = static_cast<std::uint32_t>(centre_.size());
+    centre_.push_back(centre);
+    radius_.push_back(radius);
+  }
+
+ private:
+  static constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
+
+  [[nodiscard]] bool wraps(std::size_t a) const { return periodic_ && a < 2; }
+  [[nodiscard]] std::array<int, 3> cell_of(const std::array<double, 3>& centre) const {
+    std::array<int, 3> cell{};
+    for (std::size_t a = 0; a < 3; ++a)
+      cell[a] = std::clamp(static_cast<int>((centre[a] - lower_[a]) / extent_[a] * cells_[a]), 0, cells_[a] - 1);
+    return cell;
+  }
+  [[nodiscard]] std::size_t index(const std::array<int, 3>& cell) const {
+    return static_cast<std::size_t>((cell[2] * cells_[1] + cell[1]) * cells_[0] + cell[0]);
+  }
+  [[nodiscard]] bool overlap(const std::array<double, 3>& centre, double radius, std::uint32_t i) const {
+    double squared = 0.0;
+    for (std::size_t a = 0; a < 3; ++a) {
+      double d = centre[a] - centre_[i][a];
+      if (wraps(a)) d -= extent_[a] * std::nearbyint(d / extent_[a]);
+      squared += d * d;
+    }
+    const double sum = radius + radius_[i];
+    return squared < sum * sum;
+  }
+
+  bool periodic_;
+  std::array<double, 3> lower_, extent_;
+  std::array<int, 3> cells_{};
+  std::vector<std::uint32_t> newest_, before_;  ///< newest sphere of a cell; the one before it in the same cell
+  std::vector<std::array<double, 3>> centre_;
+  std::vector<double> radius_;
+};
+
+/// Places that a sphere is put at before the column counts as full: with 0.35 of it solid one in some 1500 is free.
+constexpr std::uint64_t most_trials = 20000;
+
+/// Random sequential addition up to a height, all spheres or how many found a place.
+struct Addition {
+  std::vector<PlacedSphere> spheres;
+  std::size_t placed = 0;
+};
+Addition add_at_random(const Scene& scene, double height) {
+  const std::vector<int> species = shuffled_species(scene);
+  const std::array<double, 2> half = half_width(scene.geometry);
+  const bool cylinder = scene.geometry.shape == Shape::cylinder;
+  const bool periodic = scene.fluid.wall == LateralBoundary::periodic;
+  const auto radius_of = [&](std::size_t i) {
+    return 0.5 * scene.species[static_cast<std::size_t>(species[i])].diameter;
+  };
+  std::vector<std::size_t> largest_first(species.size());
+  for (std::size_t i = 0; i < species.size(); ++i) largest_first[i] = i;
+  std::ranges::stable_sort(largest_first, [&](std::size_t a, std::size_t b) { return radius_of(a) > radius_of(b); });
+
+  Neighbourhood neighbourhood(half, height, periodic, largest_diameter(scene), species.size());
+  Addition result{std::vector<PlacedSphere>(species.size()), 0};
+  for (const std::size_t i : largest_first) {
+    const double radius = radius_of(i), wall = periodic ? 0.0 : radius;
+    // Uniform over where the centre may be: in a cylinder by leaving the corners of the square out.
+    const std::array<double, 3> lowest{wall - half[0], wall - half[1], radius};
+    const std::array<double, 3> extent{2.0 * (half[0] - wall), 2.0 * (half[1] - wall), height - 2.0 * radius};
+    const double inside = half[0] - radius;
+    std::optional<std::array<double, 3>> place;
+    for (std::uint64_t trial = 0; !place && trial < most_trials; ++trial) {
+      std::array<double, 3> centre{};
+      for (std::size_t a = 0; a < 3; ++a)
+        centre[a] = lowest[a] + extent[a] * uniform(scene.seed, i, a + 4 * (trial + 1));
+      if (cylinder && centre[0] * centre[0] + centre[1] * centre[1] > inside * inside) continue;
+      if (neighbourhood.has_room(centre, radius)) place = centre;
+    }
+    if (!place) break;
+    neighbourhood.add(*place, radius);
+    result.spheres[i] = {*place, species[i]};
+    ++result.placed;
+  }
+  return result;
+}
+
+std::vector<PlacedSphere> random_in_column(const Scene& scene) {
+  const double column = scene.geometry.height;
+  double height = column;
+  if (scene.start.arrangement == Arrangement::random_close) {
+    constexpr double solids = 0.30;  // below what sequential addition reaches, 0.38, so that places are found soon
+    double volume = 0.0;
+    for (const Species& species : scene.species) volume += static_cast<double>(species.count) * species.volume();
+    height =
+        std::min(column, std::max(volume / (solids * scene.geometry.cross_section()), 2.0 * largest_diameter(scene)));
+  }
+  for (;;) {
+    Addition addition = add_at_random(scene, height);
+    const std::size_t wanted = addition.spheres.size();
+    if (addition.placed == wanted) return std::move(addition.spheres);
+    if (height >= column)
+      throw SceneError(fmt::format(
+          "start.arrangement: {} of {} spheres find a place at random in the column of height {} m (random addition "
+          "ends "
+          "near a solids fraction of 0.35, less between near walls); fewer spheres, a greater height, or arrangement = "
+          "\"lattice\" may help",
+          addition.placed, wanted, column));
+    height = std::min(column, 1.1 * height);
+  }
+}
+
+}  // namespace
+
+std::vector<PlacedSphere> start_positions(const Scene& scene) {
+  return scene.start.arrangement == Arrangement::lattice ? lattice(scene) : random_in_column(scene);
 }
 
 }  // namespace slfb::dem

@@ -21,6 +21,20 @@ void BedRecorder::measure_packed_bed(const Model& model) {
   }
   result_.packed_height = 2.0 * moment / volume;
   result_.packed_voidage = 1.0 - volume / (scene_.geometry.cross_section() * result_.packed_height);
+  double energy = 0.0, mass = 0.0;
+  for (std::size_t i = 0; i < particles.size(); ++i) {
+    const Vec3 v = particles.velocity.vector(i);
+    energy += particles.mass[i] * dot(v, v);
+    mass += particles.mass[i];
+  }
+  constexpr double resting_speed = 1e-3;  // [m/s]
+  const double speed = std::sqrt(energy / mass);
+  if (speed > resting_speed)
+    spdlog::warn(
+        "{}: at the end of settling the spheres still move, at {:.2g} m/s on the average (root mean square; a bed at "
+        "rest has less than {:g}): what is called the packed bed has not come to rest; a longer stage of kind = "
+        "\"settle\" may help",
+        scene_.title, speed, resting_speed);
 }
 
 bool BedRecorder::sample(const Model& model, double time) {

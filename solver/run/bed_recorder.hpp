@@ -11,7 +11,8 @@ class BedRecorder {
   /// \param result is filled; it must outlive the recorder, as the scene must
   BedRecorder(const Scene& scene, RunResult& result) : scene_(scene), result_(result) {}
 
-  /// Height and voidage of the bed at the end of settling; nothing without spheres.
+  /// Height and voidage of the bed at the end of settling; nothing without spheres. Warns if the bed has not come to
+  /// rest.
   void measure_packed_bed(const Model& model);
   /// One sample, `time` [s] after the start of fluidisation; all but the force balance. False, and no sample, if no
   /// sphere of the bed is left. Warns once if the contact network is too stiff for the spheres' time step.

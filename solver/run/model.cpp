@@ -3,6 +3,7 @@
 #include <array>
 #include <cmath>
 
+#include "correlations/materials.hpp"
 #include "solver/dem/packing.hpp"
 #include "solver/laws/make_engine.hpp"
 #include "solver/laws/user_law.hpp"
@@ -31,14 +32,21 @@ Model::Model(const Scene& scene, int threads)
 }
 
 void Model::fill() {
-  for (const dem::PlacedSphere& sphere : dem::loose_packing(scene_)) {
+  for (const dem::PlacedSphere& sphere : dem::start_positions(scene_)) {
     const Species& species = scene_.species[static_cast<std::size_t>(sphere.species)];
     engine_.add_particle(sphere.centre, 0.5 * species.diameter, species.density, sphere.species);
   }
 }
 
-std::int64_t Model::advance(bool settling) {
-  (settling ? resting_ : flowing_)->advance(engine_, scene_.fluid.time_step);
+std::int64_t Model::advance(Surroundings surroundings) {
+  engine_.suspend_lubrication(surroundings == Surroundings::nothing);
+  if (surroundings == Surroundings::nothing) {
+    engine_.external_force.set_zero();
+    for (std::size_t i = 0; i < particles().size(); ++i)
+      engine_.external_force.z[i] = -gravitational_acceleration * particles().mass[i];
+  } else {
+    (surroundings == Surroundings::liquid ? flowing_ : resting_)->advance(engine_, scene_.fluid.time_step);
+  }
   engine_.advance(sphere_steps_);
   return sphere_steps_ * static_cast<std::int64_t>(engine_.particles.size());
 }

@@ -13,6 +13,13 @@
 
 namespace slfb::simulation {
 
+/// What is around the spheres over a step.
+enum class Surroundings {
+  nothing,  ///< weight and contacts alone act on the spheres
+  resting_liquid,
+  liquid
+};
+
 /// Spheres and liquid of a scene and how they advance together; knows no stages and records nothing.
 ///
 /// Spheres are put in and taken out here, so that engine and coupling always agree on them.
@@ -21,13 +28,13 @@ class Model {
   /// A column without spheres. `scene` must outlive the model.
   Model(const Scene& scene, int threads);
 
-  /// Puts the spheres of the bed in, as a loose packing. Throws SceneError if they do not fit.
+  /// Puts the spheres of the bed in, where the scene starts them. Throws SceneError if they do not fit.
   void fill();
 
-  /// One liquid step: exchange, liquid, then the spheres in their own steps. While the bed settles the liquid is at
-  /// rest. Returns the sphere steps that were done. Throws dem::EngineError or fluid::FluidError if the motion or the
-  /// liquid breaks down.
-  std::int64_t advance(bool settling);
+  /// One liquid step: exchange, liquid, then the spheres in their own steps. With `resting_liquid` and with `nothing`
+  /// the liquid of the scene waits. Returns the sphere steps that were done. Throws dem::EngineError or
+  /// fluid::FluidError if the motion or the liquid breaks down.
+  std::int64_t advance(Surroundings surroundings);
 
   /// Whether a sphere of `species` has room with its centre on the axis at `height` [m].
   [[nodiscard]] bool has_room(const Species& species, double height) const;

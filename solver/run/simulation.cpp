@@ -21,6 +21,11 @@ namespace {
 
 using namespace simulation;
 
+Surroundings surroundings_of(const Stage& stage) {
+  if (stage.kind != StageKind::settle) return Surroundings::liquid;
+  return stage.dry ? Surroundings::nothing : Surroundings::resting_liquid;
+}
+
 /// A run: the schedule says what comes next, the model advances, the recorder reads it.
 class Simulation {
  public:
@@ -100,7 +105,7 @@ bool Simulation::run_stage() {
 void Simulation::advance() {
   const StageKind kind = schedule_.stage().kind;
   recorder_.start_step();
-  result_.particle_steps += model_.advance(kind == StageKind::settle);
+  result_.particle_steps += model_.advance(surroundings_of(schedule_.stage()));
   result_.simulated_seconds += scene_.fluid.time_step;
   schedule_.count_step();
   if (kind == StageKind::settle) return;

@@ -22,6 +22,7 @@ enum class Interpolation { shares, gradient, trilinear };
 enum class PressureVelocity { projection, simple };
 enum class OutletRule { lid, remove };
 enum class StageKind { settle, fluidise, drop };
+enum class Arrangement { lattice, random, random_close };
 
 struct Geometry {
   Shape shape = Shape::cylinder;
@@ -63,6 +64,12 @@ struct Species {
   /// Of one sphere [m³] and [kg].
   [[nodiscard]] double volume() const { return std::numbers::pi / 6.0 * std::pow(diameter, 3); }
   [[nodiscard]] double mass() const { return density * volume(); }
+};
+
+/// Where the spheres of the bed are at the start.
+struct Start {
+  /// lattice: jittered, filled from the bottom; random: over the whole column; random_close: in its lower part
+  Arrangement arrangement = Arrangement::lattice;
 };
 
 enum class RollingModel { constant_torque, elastic_plastic };
@@ -114,6 +121,7 @@ struct Outlet {
 struct Stage {
   StageKind kind = StageKind::settle;
   double duration = 0.0;  ///< [s]; for a drop: the longest wait for one sphere to arrive
+  bool dry = false;       ///< settle only: without the liquid, which enters at rest at the end of the stage
   // drop only
   std::string species;          ///< the species released
   int repetitions = 1;          ///< spheres released one after the other
@@ -136,6 +144,7 @@ struct Scene {
   Liquid liquid;
   FluidNumerics fluid;
   std::vector<Species> species;
+  Start start;
   Contact contact;
   Coupling coupling;
   Outlet outlet;

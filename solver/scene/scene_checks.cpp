@@ -21,6 +21,9 @@ constexpr double most_cells = 1e8, most_steps = 5e9;
 /// Solid fraction of a random close packing of equal spheres: denser than any bed that settles on its own.
 constexpr double densest_packing = 0.64;
 
+/// Solid fraction at which spheres added at random find no place any more, in a wide column.
+constexpr double densest_random_addition = 0.38;
+
 /// Each value alone against its range.
 class RangeCheck {
  public:
@@ -162,6 +165,13 @@ class PhysicsCheck {
               "high, allowed is a greater height, a wider column or fewer particles",
               densest_packing, rounded(needed));
     }
+    const double solids = densest_packing * needed / geometry.height;
+    if (scene_.start.arrangement != Arrangement::lattice && solids > densest_random_addition)
+      problem(
+          "start.arrangement", fmt::format("\"{}\"", word_of(scene_.start.arrangement, arrangements)),
+          "spheres put at random into the column end at a solid fraction of {}, and the bed needs {:.3g}; allowed is "
+          "\"lattice\", a greater geometry.height or fewer particles",
+          densest_random_addition, solids);
   }
 
   void check_fluid() {

@@ -51,6 +51,12 @@ Presence left_out_if_default(const Value& value, const Value& default_value) {
   return {Presence::Rule::optional, {}, value == default_value};
 }
 
+/// The same for a key that has a meaning under a condition only.
+template <class Value>
+Presence left_out_if_default(const Value& value, const Value& default_value, bool condition, std::string_view reason) {
+  return condition ? left_out_if_default(value, default_value) : optional_if(false, reason);
+}
+
 template <class Enum>
 struct Choice {
   std::string_view word;
@@ -88,6 +94,8 @@ inline constexpr std::array interpolations{Choice{"shares", Interpolation::share
                                            Choice{"gradient", Interpolation::gradient},
                                            Choice{"trilinear", Interpolation::trilinear}};
 inline constexpr std::array outlet_rules{Choice{"lid", OutletRule::lid}, Choice{"remove", OutletRule::remove}};
+inline constexpr std::array arrangements{Choice{"lattice", Arrangement::lattice}, Choice{"random", Arrangement::random},
+                                         Choice{"random-close", Arrangement::random_close}};
 inline constexpr std::array stage_kinds{Choice{"settle", StageKind::settle}, Choice{"fluidise", StageKind::fluidise},
                                         Choice{"drop", StageKind::drop}};
 
@@ -131,6 +139,10 @@ void describe(Visitor& visitor, Scene& scene, const SceneLaws& laws) {
     visitor.number("time_step", fluid.time_step, u::time, positive, flowing);
     visitor.number("pressure_tolerance", fluid.pressure_tolerance, u::ratio, between_zero_and_one, optional);
     visitor.number("simple_tolerance", fluid.simple_tolerance, u::ratio, between_zero_and_one, optional);
+  });
+  visitor.section("start", [&] {
+    visitor.choice("arrangement", scene.start.arrangement, arrangements,
+                   left_out_if_default(scene.start.arrangement, Start{}.arrangement));
   });
   visitor.section("contact", [&] {
     auto& contact = scene.contact;
@@ -202,6 +214,9 @@ void describe(Visitor& visitor, Scene& scene, const SceneLaws& laws) {
     const bool drop = stage.kind == StageKind::drop;
     constexpr std::string_view drop_only = "it belongs to kind = \"drop\"";
     visitor.number("duration", stage.duration, u::time, positive, required);
+    visitor.boolean("dry", stage.dry,
+                    left_out_if_default(stage.dry, Stage{}.dry, stage.kind == StageKind::settle,
+                                        "it belongs to kind = \"settle\""));
     visitor.text("species", stage.species, required_if(drop, drop_only));
     visitor.integer("repetitions", stage.repetitions, one_to_a_million, optional_if(drop, drop_only));
     visitor.number("release_height", stage.release_height, u::length, positive, required_if(drop, drop_only));

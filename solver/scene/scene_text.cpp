@@ -306,8 +306,11 @@ class Writer {
 
   template <class Body>
   void section(const std::string& name, Body body) {
+    const std::size_t before = out_.size();
     out_ += fmt::format("[{}]\n", name);
+    const std::size_t header = out_.size();
     body();
+    if (out_.size() == header) out_.resize(before);  // all its keys are left out
   }
   template <class Item, class Body>
   void sections(const std::string& name, std::vector<Item>& items, Body body) {

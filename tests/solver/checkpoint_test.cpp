@@ -34,7 +34,7 @@ class CheckpointTest : public testing::Test {
       const Scene& scene, const std::function<void(io::StateGroup&)>& more = [](io::StateGroup&) {}) {
     Model model(scene, 1);
     model.fill();
-    for (int k = 0; k < 2; ++k) model.advance(false);
+    for (int k = 0; k < 2; ++k) model.advance(simulation::Surroundings::liquid);
     files_.save({}, 1, [&](io::StateGroup& state) {
       model.exchange(state);
       more(state);
@@ -67,14 +67,14 @@ TEST_F(CheckpointTest, TheMotionGoesOnAsIfNothingHadHappened) {
   scene.coupling.added_mass = 0.5;
   Model model(scene, 1);
   model.fill();
-  for (int k = 0; k < 20; ++k) model.advance(false);
+  for (int k = 0; k < 20; ++k) model.advance(simulation::Surroundings::liquid);
   files_.save({}, 1, [&](io::StateGroup& state) { model.exchange(state); });
   Model other(scene, 1);
   RunResult result;
   ASSERT_TRUE(files_.load(result, [&](io::StateGroup& state) { other.exchange(state); }));
   for (int k = 0; k < 20; ++k) {
-    model.advance(false);
-    other.advance(false);
+    model.advance(simulation::Surroundings::liquid);
+    other.advance(simulation::Surroundings::liquid);
   }
   EXPECT_EQ(model.particles().position.z, other.particles().position.z);
   EXPECT_EQ(model.liquid().pressure(), other.liquid().pressure());
@@ -114,7 +114,7 @@ TEST_F(CheckpointTest, TheCouplingTakesNoFieldThatIsAValueShort) {
   scene.coupling.basset_history = true;
   Model model(scene, 1);
   model.fill();
-  for (int k = 0; k < 3; ++k) model.advance(false);
+  for (int k = 0; k < 3; ++k) model.advance(simulation::Surroundings::liquid);
   const NamedFields state = model.coupling().state();
   ASSERT_TRUE(state.contains("interval/centre_x"));
   EXPECT_NO_THROW(model.coupling().restore(state, model.particles()));

@@ -574,6 +574,9 @@ TEST(SceneHash, DependsOnEveryValue) {
                                          "coupling.void_fraction_interval=2 ms",
                                          "coupling.smoothing_length=3 mm",
                                          "outlet.particles=remove",
+                                         "start.arrangement=random",
+                                         "start.arrangement=random-close",
+                                         "stage[0].dry=true",
                                          "species[0].diameter=4.9 mm",
                                          "species[0].density=2300",
                                          "species[0].count=3599",
@@ -611,6 +614,38 @@ TEST(SceneHash, KeysThatAreLeftOutAtTheirDefaultsKeepTheName) {
   EXPECT_EQ(parse_scene(canonical_toml(higher), "canonical").recording.fluctuation_window, (std::array{0.3, 0.4}));
   EXPECT_THROW(with(R"(["0.2 m", "0.1 m"])"), SceneError);
   EXPECT_THROW(with(R"(["-0.1 m", "0.1 m"])"), SceneError);
+}
+
+TEST(SceneHash, KeysOfTheStartAreLeftOutAtTheirDefaults) {
+  const Scene before = parse_scene(valid_scene, "scene.toml");
+  const Scene same = parse_scene(valid_scene, "scene.toml", {"start.arrangement=lattice", "stage[0].dry=false"});
+  EXPECT_EQ(canonical_toml(same), canonical_toml(before));
+  EXPECT_EQ(canonical_toml(before).find("start"), std::string::npos);
+  EXPECT_EQ(canonical_toml(before).find("dry"), std::string::npos);
+  const Scene random = parse_scene(valid_scene, "scene.toml", {"start.arrangement=random-close", "stage[0].dry=true"});
+  const Scene back = parse_scene(canonical_toml(random), "canonical");
+  EXPECT_EQ(back.start.arrangement, Arrangement::random_close);
+  EXPECT_TRUE(back.stages[0].dry);
+}
+
+TEST(SceneRules, OnlySettlingIsDry) {
+  EXPECT_NE(message_of([] {
+              parse_scene(valid_scene, "scene.toml", {"stage[1].dry=true"});
+            }).find("stage[1].dry = true: has no meaning here; it belongs to kind = \"settle\""),
+            std::string::npos);
+}
+
+// A column of which more is solid than random addition can fill.
+TEST(SceneRules, AStartAtRandomNeedsRoom) {
+  const std::vector<std::string> crowded{"geometry.height=0.31 m", "stage[2].release_height=0.3 m"};
+  EXPECT_NO_THROW(parse_scene(valid_scene, "scene.toml", crowded));
+  std::vector<std::string> random = crowded;
+  random.emplace_back("start.arrangement=random");
+  EXPECT_NE(message_of([&] { parse_scene(valid_scene, "scene.toml", random); })
+                .find("start.arrangement=random: start.arrangement = \"random\": spheres put at random into the column "
+                      "end at a solid fraction of 0.38, and the bed needs 0.387"),
+            std::string::npos)
+      << message_of([&] { parse_scene(valid_scene, "scene.toml", random); });
 }
 
 }  // namespace

@@ -325,7 +325,7 @@ PackedBed settle(double friction, double duration) {
   contact.sliding_friction = friction;
   const Scene scene = column(600);
   Engine engine = make_engine(contact, walls_of(scene), {0, 0, 0}, 1);
-  for (const PlacedSphere& sphere : loose_packing(scene)) engine.add_particle(sphere.centre, radius, density, 0);
+  for (const PlacedSphere& sphere : start_positions(scene)) engine.add_particle(sphere.centre, radius, density, 0);
   set_gravity(engine);
   engine.advance(static_cast<std::int64_t>(duration / contact.time_step));
 
@@ -633,7 +633,7 @@ TEST(LoosePacking, IsThatOfAnyMachine) {
   scene.species.push_back({"small", 0.004, 2500.0, 50});
   scene.seed = 42;
   std::vector<std::int64_t> numbers;
-  const auto spheres = loose_packing(scene);
+  const auto spheres = start_positions(scene);
   ASSERT_EQ(spheres.size(), 200u);
   for (std::size_t i = 0; i < 100; ++i) {
     for (double coordinate : spheres[i].centre) numbers.push_back(std::llround(coordinate * 1e9));

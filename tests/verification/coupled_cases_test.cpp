@@ -190,7 +190,7 @@ TEST(BedAtRest, HasErgunsPressureDropAtItsVoidage) {
   scene.contact.time_step = 1e-4;
   scene.coupling.drag_law = "ergun-1952";
   CoupledCase settling(scene, dem::walls_of(scene));
-  for (const dem::PlacedSphere& sphere : dem::loose_packing(scene)) settling.add(sphere.centre);
+  for (const dem::PlacedSphere& sphere : dem::start_positions(scene)) settling.add(sphere.centre);
   settling.run(1.0);
 
   for (const FluidTier tier : {FluidTier::one_dimensional, FluidTier::three_dimensional})

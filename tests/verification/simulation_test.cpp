@@ -10,7 +10,6 @@
 #include <numbers>
 
 #include "correlations/materials.hpp"
-#include "solver/dem/packing.hpp"
 #include "solver/laws/scene_file.hpp"
 
 namespace slfb {
@@ -188,22 +187,6 @@ TEST(Simulation, SavesItsStateWhenItBreaksDown) {
   } catch (const std::runtime_error& error) {
     EXPECT_NE(std::string(error.what()).find("sphere"), std::string::npos) << error.what();
     EXPECT_TRUE(std::filesystem::exists(options.directory / "failure.h5"));
-  }
-}
-
-// The start is made from integers: the same on any machine, without overlap, inside the column.
-TEST(LoosePacking, IsReproducibleAndFree) {
-  const Scene scene = small_bed(0.08);
-  const auto spheres = dem::loose_packing(scene);
-  ASSERT_EQ(spheres.size(), 250u);
-  EXPECT_EQ(spheres[0].centre, dem::loose_packing(scene)[0].centre);
-  for (std::size_t i = 0; i < spheres.size(); ++i) {
-    const auto& a = spheres[i].centre;
-    EXPECT_LT(std::hypot(a[0], a[1]) + 0.0025, 0.015);
-    for (std::size_t j = 0; j < i; ++j) {
-      const auto& b = spheres[j].centre;
-      EXPECT_GT(std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]), 0.005);
-    }
   }
 }
 

@@ -65,7 +65,7 @@ void add_weight(dem::Engine& engine) {
 /// stiffness until that has come to rest too.
 dem::Particles settle(const DemScene& scene, int threads) {
   dem::Particles state;
-  for (const dem::PlacedSphere& sphere : dem::loose_packing(column(scene)))
+  for (const dem::PlacedSphere& sphere : dem::start_positions(column(scene)))
     state.add(sphere.centre, 0.5 * scene.diameter, density, 0);
   for (const bool soft : {true, false}) {
     Contact contact = contact_of(scene);

@@ -38,7 +38,7 @@ Scene glass_bed() {
 
 dem::Particles fluidised(const Scene& scene, double seconds, int threads) {
   dem::Particles loose;
-  for (const dem::PlacedSphere& sphere : dem::loose_packing(scene)) {
+  for (const dem::PlacedSphere& sphere : dem::start_positions(scene)) {
     const Species& species = scene.species[static_cast<std::size_t>(sphere.species)];
     loose.add(sphere.centre, 0.5 * species.diameter, species.density, sphere.species);
   }

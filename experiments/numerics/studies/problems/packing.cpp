@@ -54,7 +54,7 @@ TrialResult solve(const Scene& given, const Parameters& parameters, int replicat
   // energy of its overlaps would throw it up.
   double stiffness = std::min(scene.contact.stiffness, 1e3);
   auto stage = std::make_unique<dem::Engine>(engine_of(scene, safe(stiffness, 0.5)));
-  for (const dem::PlacedSphere& sphere : dem::loose_packing(scene))
+  for (const dem::PlacedSphere& sphere : dem::start_positions(scene))
     stage->add_particle(sphere.centre, 0.5 * diameter, scene.species.front().density, 0);
   add_weight(*stage, scene);
   stage->advance(static_cast<std::int64_t>(std::ceil(2.0 * fall / stage->time_step())));
