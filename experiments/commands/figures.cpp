@@ -27,6 +27,7 @@ constexpr const char* examples = R"(Examples:
   slfb figures fig10 fig25         simulate only what these two need
   slfb figures --no-run            draw with what exists; takes seconds
   slfb figures --profile full      the settings of the full campaign; takes hours, may be interrupted
+  slfb figures --profile NAME --only-runs --publish   simulate a profile and keep its results; draw nothing
   slfb figures --jobs 1 --threads 2   one simulation at a time on two cores
 
 Results are kept in DIR/runs and named by their scene: a second call simulates nothing twice, and after an
@@ -40,6 +41,7 @@ struct Options {
   int threads = 0;  // 0: share the cores among the jobs
   std::filesystem::path out = build_folder();
   bool no_run = false;
+  bool only_runs = false;
   bool publish = false;
 };
 
@@ -60,8 +62,11 @@ std::vector<const Figure*> choose(const Work& work, const std::vector<std::strin
   return chosen;
 }
 
-std::vector<RunSpec> needed_runs(const std::vector<const Figure*>& chosen, const Profile& profile) {
+/// The runs that the figures need, or with `all` those of the profile, whether a figure draws them or not.
+std::vector<RunSpec> needed_runs(const std::vector<const Figure*>& chosen, const Profile& profile, bool all) {
   std::set<std::string> keys;
+  if (all)
+    for (const RunSpec& spec : profile.runs) keys.insert(run_key(spec));
   for (const Figure* figure : chosen)
     for (auto& key : figure->needs(profile)) keys.insert(std::move(key));
   if (profile.goes_on_from_published)
@@ -92,7 +97,7 @@ int make_figures(const Work& work, const Options& options) {
   const Profile profile = load_profile(work, options.profile.empty() ? work.default_profile : options.profile);
   CampaignOutcome outcome;
   if (!options.no_run) {
-    const auto needed = needed_runs(chosen, profile);
+    const auto needed = needed_runs(chosen, profile, options.only_runs && options.ids.empty());
     CampaignOptions campaign = campaign_options(options, needed.size());
     if (options.publish) campaign.finished = [&](std::size_t k) { publish(work, profile, needed[k], options.out); };
     if (!needed.empty()) outcome = run_campaign(needed, campaign);
@@ -100,6 +105,10 @@ int make_figures(const Work& work, const Options& options) {
   }
   if (options.publish)  // also what an earlier call has simulated
     for (const RunSpec& spec : profile.runs) publish(work, profile, spec, options.out);
+  if (options.only_runs) {
+    fmt::print("{} simulated, {} had been before, {} failed\n", outcome.finished, outcome.skipped, outcome.failed);
+    return outcome.exit_status();
+  }
 
   const Judgement judgement = judge(work, profile, load_claims(work), options.out);
 
@@ -146,7 +155,11 @@ void add_figures_command(CLI::App& app, const Works& works) {
   command->add_option("--threads", options->threads, "threads of each simulation (default: cores over jobs)")
       ->check(above_zero());
   command->add_option("--out", options->out, "folder of runs/, figures/ and report/")->capture_default_str();
-  command->add_flag("--no-run", options->no_run, "simulate nothing, draw with what exists");
+  auto* no_run = command->add_flag("--no-run", options->no_run, "simulate nothing, draw with what exists");
+  command
+      ->add_flag("--only-runs", options->only_runs,
+                 "simulate all runs of the profile, or those of the ID; draw nothing")
+      ->excludes(no_run);
   command->add_flag("--publish", options->publish,
                     "copy the finished results of the profile to reports/published/WORK/runs, to be committed");
   command->footer(examples);

@@ -11,6 +11,8 @@
 
 #include "experiments/commands/commands.hpp"
 #include "experiments/commands/works.hpp"
+#include "experiments/runs/run_estimate.hpp"
+#include "experiments/runs/run_files.hpp"
 #include "experiments/work/profiles.hpp"
 #include "solver/support/folders.hpp"
 #include "solver/support/toml_table.hpp"
@@ -38,10 +40,15 @@ void list_profile(const Work& work, const std::string& name) {
   const Profile profile = load_profile(work, name);
   // One line per system and variant, with its velocities.
   std::map<std::pair<std::string, std::string>, std::vector<std::string>> velocities;
+  double core_seconds = 0.0;
   for (const RunSpec& run : profile.runs) {
-    velocities[{run.system, run.variant}].push_back(velocity_text(run.superficial_velocity));
+    std::string text = velocity_text(run.superficial_velocity);
+    if (run.seed) text += fmt::format(" (seed {})", *run.seed);
+    velocities[{run.system, run.variant}].push_back(std::move(text));
+    core_seconds += estimate_run(load_run_scene(run)).core_seconds;
   }
-  fmt::print("\nProfile {}: {} simulations\n", profile.name, profile.runs.size());
+  fmt::print("\nProfile {}: {} simulations, about {} of one core\n", profile.name, profile.runs.size(),
+             format_duration(core_seconds));
   for (const auto& [key, values] : velocities) {
     const auto& [system, variant] = key;
     fmt::print("  {} at {} m/s\n", variant.empty() ? system : system + ", " + variant, fmt::join(values, " "));

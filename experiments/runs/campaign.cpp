@@ -47,7 +47,11 @@ std::string run_key(std::string_view system, double superficial_velocity, std::s
   return key;
 }
 
-std::string run_key(const RunSpec& spec) { return run_key(spec.system, spec.superficial_velocity, spec.variant); }
+std::string run_key(const RunSpec& spec) {
+  std::string key = run_key(spec.system, spec.superficial_velocity, spec.variant);
+  if (spec.seed) key += fmt::format("/seed-{}", *spec.seed);
+  return key;
+}
 
 std::vector<FinishedRun> finished_runs(const Profile& profile, const std::filesystem::path& out) {
   std::vector<FinishedRun> runs;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <optional>
 #include <set>
@@ -24,10 +25,13 @@ struct RunSpec {
   std::string profile = {};                   ///< that it belongs to: "quick"
   std::vector<std::string> differences = {};  ///< Profile::differences of that profile
   std::filesystem::path published = {};       ///< folder of the committed results of its work; empty: there are none
+  std::optional<std::uint64_t> seed = {};     ///< of a replicate; empty: that of the scene
 };
 
-/// Names a run in lists of needed runs and on pages: "system/U_L" or "system/U_L/variant", U_L as velocity_text has it.
+/// Names what runs answer: "system/U_L" or "system/U_L/variant", U_L as velocity_text has it.
 std::string run_key(std::string_view system, double superficial_velocity, std::string_view variant = "");
+
+/// Names one run in lists of needed runs and on pages: the same, with "/seed-2" behind it for a replicate.
 std::string run_key(const RunSpec& spec);
 
 /// The runs of a profile ("quick", "full") and what sets it apart from the work that it reproduces.

@@ -144,7 +144,8 @@ void take_contacts_from(const Measurements& of_the_scene, const MeasuringRules& 
 
 Measurements measure_runs(const std::vector<FinishedRun>& runs, const MeasuringRules& rules) {
   std::map<std::string, std::vector<const FinishedRun*>> groups;
-  for (const FinishedRun& run : runs) groups[run_key(run.spec)].push_back(&run);
+  for (const FinishedRun& run : runs)
+    groups[run_key(run.spec.system, run.spec.superficial_velocity, run.spec.variant)].push_back(&run);
 
   Measurements measurements;
   std::set<std::string> systems;

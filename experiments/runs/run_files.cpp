@@ -27,7 +27,8 @@ RunResult load_own_result(const std::filesystem::path& out, const std::string& h
 namespace {
 
 std::filesystem::path published(const RunSpec& spec, const char* ending) {
-  const std::string variant = spec.variant.empty() ? "default" : spec.variant;
+  std::string variant = spec.variant.empty() ? "default" : spec.variant;
+  if (spec.seed) variant += fmt::format("_seed-{}", *spec.seed);
   return spec.published / spec.profile /
          fmt::format("{}_{}_{}{}", spec.system, velocity_text(spec.superficial_velocity), variant, ending);
 }

@@ -21,7 +21,7 @@ std::filesystem::path result_file(const std::filesystem::path& out, const std::s
 RunResult load_own_result(const std::filesystem::path& out, const std::string& hash);
 
 /// The committed result of a specification: PROFILE/SYSTEM_0.06_VARIANT.h5 in its folder `published`, "default" for no
-/// variant.
+/// variant, with "_seed-2" behind it for a replicate.
 std::filesystem::path published_file(const RunSpec& spec);
 
 /// What was measured in it, from the whole series: the same name with .json.

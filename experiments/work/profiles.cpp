@@ -5,10 +5,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <optional>
 #include <set>
 #include <stdexcept>
+#include <utility>
 
 #include "experiments/numerics/plan/plan.hpp"
+#include "experiments/readings/choices.hpp"
 #include "experiments/runs/run_files.hpp"
 #include "solver/support/toml_table.hpp"
 
@@ -19,7 +23,9 @@ namespace {
 class Definitions {
  public:
   explicit Definitions(const Work& work)
-      : file_(work.folders.experiments / "profiles.toml"), root_(parse_toml_file(file_)) {}
+      : file_(work.folders.experiments / "profiles.toml"),
+        root_(parse_toml_file(file_)),
+        choices_(work.folders.experiments / "readings.toml") {}
 
   /// Table `name` of a group ("profiles", "systems", "variants").
   [[nodiscard]] TomlTable entry(const std::string& group, const std::string& name) const {
@@ -49,13 +55,57 @@ class Definitions {
     return common == nullptr ? std::vector<std::string>{} : TomlTable(*common, file_.string()).texts("differences");
   }
 
+  /// What readings.toml of the work has; it is read where a run names a design.
+  [[nodiscard]] readings::Choices choices() const { return readings::load_choices(choices_); }
+
  private:
   std::filesystem::path file_;
   toml::table root_;
+  std::filesystem::path choices_;
 };
 
 void append(std::vector<std::string>& list, const std::vector<std::string>& more) {
   list.insert(list.end(), more.begin(), more.end());
+}
+
+/// A variant and what it changes in a scene.
+using Variant = std::pair<std::string, Overrides>;
+
+/// The variant of a [[profiles.NAME.runs]], or the readings of its design; "" where it names neither.
+std::vector<Variant> variants_of_run(TomlTable& run, const Definitions& definitions) {
+  const std::string variant = run.text("variant", ""), design = run.text("design", "");
+  if (!design.empty()) {
+    if (!variant.empty()) throw run.problem("variant", "stands beside a design; allowed is one of them");
+    const readings::Choices choices = definitions.choices();
+    std::vector<Variant> variants;
+    try {
+      for (const readings::Reading& reading : choices.design(design))
+        variants.emplace_back(choices.name_of(reading), choices.overrides_of(reading));
+    } catch (const std::invalid_argument& error) {
+      throw run.problem("design", error.what());
+    }
+    return variants;
+  }
+  if (variant.empty()) return {{"", {}}};
+  return {{variant, definitions.entry("variants", variant).texts("overrides")}};
+}
+
+/// The replicates of a [[profiles.NAME.runs]]; empty stands for the seed of the scene.
+std::vector<std::optional<std::uint64_t>> seeds_of_run(TomlTable& run, const std::filesystem::path& scene,
+                                                       const Overrides& of_system) {
+  if (!run.has("seeds")) return {std::nullopt};
+  const std::uint64_t own = load_scene(scene, of_system).seed;
+  std::vector<std::optional<std::uint64_t>> seeds;
+  for (const double number : run.numbers("seeds")) {
+    if (!(number >= 0.0 && number <= 1e9 && number == std::floor(number)))
+      throw run.problem("seeds", fmt::format("{} is no seed; allowed are whole numbers from 0 to 1e9", number));
+    const auto seed = static_cast<std::uint64_t>(number);
+    const auto entry = seed == own ? std::nullopt : std::optional(seed);
+    if (std::ranges::find(seeds, entry) != seeds.end()) throw run.problem("seeds", fmt::format("has {} twice", seed));
+    seeds.push_back(entry);
+  }
+  if (seeds.empty()) throw run.problem("seeds", "is empty; needed is one seed or more");
+  return seeds;
 }
 
 /// What the plan for these questions changes in a scene.
@@ -106,27 +156,36 @@ Profile load_profile(const Work& work, const std::string& name) {
   const auto profile_overrides = table.texts("overrides");
   const auto asked = table.texts("planned_for");
 
+  std::set<std::string> keys;
   for (TomlTable& run : table.tables("runs")) {
     const auto system = run.text("system");
     TomlTable definition = definitions.entry("systems", system);
     const auto scene = work.folders.experiments / "scenes" / definition.text("scene");
     const auto of_system = definition.texts("overrides");
-    const auto variant = run.text("variant", "");
+    const bool designed = run.has("design");
+    const auto variants = variants_of_run(run, definitions);
+    const auto seeds = seeds_of_run(run, scene, of_system);
     const auto of_run = run.texts("overrides");
     for (const double velocity : run.numbers("superficial_velocities")) {
       const std::string of_velocity = fmt::format("liquid.superficial_velocity={} m/s", velocity);
-      RunSpec spec{system, velocity, variant, scene, {}, name, {}, work.folders.published};
+      Overrides overrides;
       if (!asked.empty()) {
         auto source = of_system;
         source.push_back(of_velocity);
-        spec.overrides = planned(scene, source, asked);
+        overrides = planned(scene, source, asked);
       }
-      append(spec.overrides, profile_overrides);
-      append(spec.overrides, of_system);
-      append(spec.overrides, of_run);
-      spec.overrides.push_back(of_velocity);
-      if (!variant.empty()) append(spec.overrides, definitions.entry("variants", variant).texts("overrides"));
-      profile.runs.push_back(std::move(spec));
+      append(overrides, profile_overrides);
+      append(overrides, of_system);
+      append(overrides, of_run);
+      overrides.push_back(of_velocity);
+      for (const auto& [variant, of_variant] : variants)
+        for (const auto seed : seeds) {
+          RunSpec spec{system, velocity, variant, scene, overrides, name, {}, work.folders.published, seed};
+          append(spec.overrides, of_variant);
+          if (seed) spec.overrides.push_back(fmt::format("seed={}", *seed));
+          if (!keys.insert(run_key(spec)).second && designed) continue;  // another design of the profile has it too
+          profile.runs.push_back(std::move(spec));
+        }
     }
     run.reject_others();
   }

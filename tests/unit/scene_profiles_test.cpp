@@ -72,6 +72,22 @@ TEST_P(EachProfile, SayWhatSetsThemApart) {
 
 INSTANTIATE_TEST_SUITE_P(All, EachProfile, testing::Values("quick", "full", "springs", "paper-steps"));
 
+class ProfileOfReadings : public testing::TestWithParam<std::string> {};
+
+TEST_P(ProfileOfReadings, HoldDistinctRunsOfValidScenes) {
+  const Profile profile = load_profile(GetParam());
+  EXPECT_FALSE(profile.runs.empty());
+  std::set<std::string> hashes;
+  for (const RunSpec& run : profile.runs) {
+    const Scene scene = load_scene(run.scene, run.overrides);
+    EXPECT_EQ(scene.liquid.superficial_velocity, run.superficial_velocity);
+    EXPECT_FALSE(run.variant.empty());  // without a variant it would stand for the default reading
+    EXPECT_TRUE(hashes.insert(scene_hash(scene)).second) << run_key(run);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(All, ProfileOfReadings, testing::Values("packed", "screening"));
+
 TEST(Profiles, QuickCoversTheVelocitiesOfTheFirstFigures) {
   const Profile quick = load_profile("quick");
   const auto runs_at = [&](double velocity, const std::string& variant) {
@@ -88,7 +104,8 @@ TEST(Profiles, UnknownNameListsTheKnownOnes) {
     FAIL();
   } catch (const std::runtime_error& error) {
     EXPECT_NE(std::string(error.what())
-                  .find("known: \"causes\", \"drag-law\", \"full\", \"paper-steps\", \"quick\", \"springs\""),
+                  .find("known: \"causes\", \"drag-law\", \"full\", \"packed\", \"paper-steps\", \"quick\", "
+                        "\"screening\", \"springs\""),
               std::string::npos)
         << error.what();
   }
