@@ -135,7 +135,13 @@ std::string measurement(const FigurePage& figure) {
   return "<h2>How it is measured</h2>\n<div class=\"prose\">" + markdown_html(figure.readme) + "</div>\n";
 }
 
-/// Picture, caption, claims, `measured`, doubts, simulations and commands of one figure.
+/// What its numbers say; empty where nothing is computed of it.
+std::string findings(const FigurePage& figure) {
+  if (figure.findings.empty()) return "";
+  return "<h2>What the numbers say</h2>\n<div class=\"prose\">" + markdown_html(figure.findings) + "</div>\n";
+}
+
+/// Picture, caption, claims, findings, `measured`, doubts, simulations and commands of one figure.
 std::string body(const ReportContents& contents, const FigurePage& figure, const std::string& measured,
                  const fs::path& folder) {
   const auto claims = claims_of(contents, figure.id);
@@ -149,7 +155,7 @@ std::string body(const ReportContents& contents, const FigurePage& figure, const
         "<h2>What the paper states, and ours</h2>\n" + claim_table(claims, "") +
         "<p class=\"soft\">A statement is reproduced when the whole 95 % interval of our number lies in the band. The "
         "<a href=\"../claims.html\">table of all claims</a> says how verdicts are made.</p>\n";
-  html += measured + doubts(contents, figure.id);
+  html += findings(figure) + measured + doubts(contents, figure.id);
   html += "<div class=\"on-screen\">\n" + simulations(contents, figure, folder);
   return html +
          fmt::format(

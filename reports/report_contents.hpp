@@ -47,6 +47,7 @@ struct FigurePage {
   std::vector<std::string> notes;       ///< what to know of the simulations behind it
   std::vector<std::string> run_keys;    ///< RunRow::key of the simulations that it draws
   std::string options;                  ///< of `slfb figures ID` to make it again: "--no-run", "--profile quick"
+  std::string findings = {};            ///< markdown: what its numbers say; "" leaves the section out
 };
 
 /// One simulation behind the report.

@@ -25,6 +25,7 @@ struct FigureOutput {
   std::vector<std::filesystem::path> data;
   std::string caption;             ///< what is shown, and what is not known
   std::vector<std::string> notes;  ///< profile differences, missing runs
+  std::string findings = {};       ///< Markdown: what the numbers say, where that is computed with them
 };
 
 /// One figure: a folder in experiments/ with figure.cpp, figure.gp and README.md (FigureFolder).

@@ -63,7 +63,8 @@ reports::FigurePage figure_page(const FigureOutput& output, const ReportInputs& 
   const Work& work = inputs.work;
   const Figure& figure = figure_named(work.figures, output.id);
   const bool own_profile = has_own_profile(work, figure);
-  reports::FigurePage page{output.id, figure.title, output.caption, readme(figure), {}, output.notes, {}, ""};
+  reports::FigurePage page{output.id, figure.title, output.caption, readme(figure), {}, output.notes,
+                           {},        "",           output.findings};
   for (const fs::path& data : output.data) page.data_files.push_back(data.filename().string());
   page.run_keys = figure.needs(inputs.judgement.shown);
   if (page.run_keys.empty() && own_profile) page.run_keys = figure.needs(load_profile(work, figure.id));

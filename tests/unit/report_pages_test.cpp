@@ -90,6 +90,7 @@ TEST(FigurePages, ShowClaimsRunsAndDoubtsOfTheirFigureAlone) {
   figure.data_files = {"fig07_rise.csv"};
   figure.run_keys = {"lever/0.10", "lever/0.20"};
   figure.options = "--profile quick";
+  figure.findings = "It rises by **half**.";
   contents.figures = {figure};
   ClaimRow elsewhere = rise_of_a_lever();
   elsewhere.id = "other";
@@ -109,8 +110,9 @@ TEST(FigurePages, ShowClaimsRunsAndDoubtsOfTheirFigureAlone) {
   pugi::xml_document page;
   ASSERT_TRUE(page.load_string(text.c_str(), pugi::parse_default)) << text;
   EXPECT_EQ(page.select_nodes("//tr[@data-verdict]").size(), 1u);
-  for (const char* part : {"<strong>We measure</strong>", "1 of 2 simulations", "href=\"../runs/quick_lever.h5\"",
-                           "It is longer.", "build/slfb figures fig07 --profile quick", "width=\"300\""})
+  for (const char* part : {"<strong>We measure</strong>", "by <strong>half</strong>", "1 of 2 simulations",
+                           "href=\"../runs/quick_lever.h5\"", "It is longer.",
+                           "build/slfb figures fig07 --profile quick", "width=\"300\""})
     EXPECT_NE(text.find(part), std::string::npos) << part;
   EXPECT_EQ(text.find("It is heavier."), std::string::npos);
 }
