@@ -9,8 +9,8 @@
 
 namespace slfb::dem {
 
-/// Forces and torques of the first `count` contacts of a batch, a multiple of four; `spring_phase`: see
-/// CoulombFriction.
+/// Forces and torques of the first `count` contacts of a batch, a multiple of four. `contact`: at walls that of
+/// Contact::at_wall(); `spring_phase`: see CoulombFriction.
 using ContactKernel = void (*)(ContactBatch& batch, std::size_t count, const Contact& contact, double spring_phase);
 
 /// A contact law that is chosen while the program runs: by name, or from a C++ file outside the suite.

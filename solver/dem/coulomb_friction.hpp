@@ -12,7 +12,8 @@ namespace slfb::dem {
 /// F_t = −k_t ξ − c_t v_t, |F_t| ≤ μ max(F_n, 0), F_n without dashpot_end_correction(): the spring remembers where it
 /// slid. A step adds Δt v_t to ξ; the part `phase` of it before the force is taken. 1 is right for symplectic Euler,
 /// whose positions have moved with the newest velocity already; 1/2, the trapezoidal rule, for integrators that know
-/// position and velocity at the same time. On sliding, ξ is set to the spring that carries the limit.
+/// position and velocity at the same time. On sliding, ξ is set to the spring that carries the limit. With k_t = 0 the
+/// dashpot acts alone.
 struct CoulombFriction {
   double friction;  ///< μ [-]
   double phase;     ///< [-]
@@ -34,7 +35,8 @@ struct CoulombFriction {
     const bool slides = trial_squared > limit * limit;
     const double scale = slides ? limit / std::sqrt(trial_squared) : 1.0;
     const Vec3 force = -scale * trial;
-    const Vec3 limited = (-1.0 / contact.tangential_stiffness) * (force + damping);
+    const double compliance = contact.tangential_stiffness > 0.0 ? 1.0 / contact.tangential_stiffness : 0.0;
+    const Vec3 limited = -compliance * (force + damping);
     const Vec3 ahead = stretched + ((1.0 - phase) * time_step) * slip;
     spring = {slides ? limited.x : ahead.x, slides ? limited.y : ahead.y, slides ? limited.z : ahead.z};
     return force;

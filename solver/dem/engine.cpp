@@ -24,6 +24,7 @@ struct Engine::SecondBody {
 Engine::Engine(const Contact& contact, const ContactLawKernels& law, std::vector<Wall> walls,
                std::array<double, 3> period, int threads)
     : contact_(contact),
+      wall_contact_(contact.at_wall()),
       walls_(std::move(walls)),
       period_(period),
       time_step_(contact.time_step),
@@ -31,7 +32,9 @@ Engine::Engine(const Contact& contact, const ContactLawKernels& law, std::vector
       periodic_(period[0] > 0.0 || period[1] > 0.0 || period[2] > 0.0),
       law_(law),
       rolling_(rolling_index(contact)),
-      rolling_remembers_(contact.rolling_friction > 0.0 && contact.rolling_model == RollingModel::elastic_plastic) {
+      wall_rolling_(rolling_index(wall_contact_)),
+      rolling_remembers_((contact.rolling_friction > 0.0 || wall_contact_.rolling_friction > 0.0) &&
+                         contact.rolling_model == RollingModel::elastic_plastic) {
   switch (contact.integrator) {
     case Integrator::symplectic_euler:
       choose_integrator<SymplecticEuler>();
@@ -186,7 +189,8 @@ std::size_t Engine::find_touching(const PairList& list, std::uint32_t first, std
 template <bool AtWall, class Second, class Take>
 void Engine::compute(PairList& list, const std::uint32_t* touching, std::size_t count, ThreadPartition& partition,
                      StepMode mode, Second second, Take take) const {
-  const ContactKernel kernel = law_.compute[rolling_][AtWall ? 1 : 0];
+  const ContactKernel kernel = AtWall ? law_.compute[wall_rolling_][1] : law_.compute[rolling_][0];
+  const Contact& contact = AtWall ? wall_contact_ : contact_;
   const std::uint32_t step = now();
   ContactBatch& batch = partition.batch;
   partition.new_contacts.clear();
@@ -226,7 +230,7 @@ void Engine::compute(PairList& list, const std::uint32_t* touching, std::size_t 
         batch.rolling_memory.put(k, memory(list.rolling_memory, 0), memory(list.rolling_memory, 1),
                                  memory(list.rolling_memory, 2), memory(list.rolling_memory, 3));
     }
-    kernel(batch, (size + 3) / 4 * 4, contact_, spring_phase_);
+    kernel(batch, (size + 3) / 4 * 4, contact, spring_phase_);
     for (std::size_t k = 0; k < size; k += 4) {
       std::array<Pack, 4> force, torque_i, torque_j, spring, rolling_memory;
       batch.force.get(k, force);

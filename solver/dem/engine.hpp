@@ -209,15 +209,15 @@ class Engine {
   void finish_collision(ThreadPartition& partition, PairList& list, std::uint32_t p) const;
   void finish_collisions();
 
-  Contact contact_;
+  Contact contact_, wall_contact_;
   std::vector<Wall> walls_;
   std::array<double, 3> period_;
   double time_step_;
   int threads_;
   bool periodic_;
   ContactLawKernels law_;
-  std::size_t rolling_;     ///< index of the rolling resistance among the kernels
-  bool rolling_remembers_;  ///< whether it carries something from step to step
+  std::size_t rolling_, wall_rolling_;  ///< index of the rolling resistance among the kernels, of pairs and at walls
+  bool rolling_remembers_;              ///< whether it carries something from step to step
   // The instances of the templates that this scene's integrator needs.
   void (Engine::*move_)(ThreadPartition&, std::size_t, std::size_t, StepMode) = nullptr;
   void (Engine::*predict_)(std::size_t, std::size_t) = nullptr;

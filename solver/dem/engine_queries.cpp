@@ -39,7 +39,7 @@ double Engine::network_frequency_squared() const {
   for_contacts([&](std::size_t i, std::uint32_t j, const PairList& list, std::uint32_t p, bool at_wall) {
     const Vec4& own = position_[i];
     if (at_wall) {
-      sum[i] += law_.stiffness(contact_, true, own.w - walls_[j].gap(own.vector()).distance, own.w);
+      sum[i] += law_.stiffness(wall_contact_, true, own.w - walls_[j].gap(own.vector()).distance, own.w);
       return;
     }
     const Vec3 d = position_[j].vector() + image_shift_[list.image[p]].vector() - own.vector();

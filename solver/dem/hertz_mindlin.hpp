@@ -14,7 +14,8 @@ namespace slfb::dem {
 /// c_t = 2 √(5/6) ζ √(k_t m_eff). With damping as δ^{1/4} the restitution does not depend on the impact speed, and this
 /// factor makes it e exactly (Tsuji et al. 1992, Powder Technol. 71:239; Antypov & Elliott 2011, EPL 94:50004). The
 /// tangential force is k_t(δ) ξ: on unloading the spring loses stiffness with its energy, so a full tangential
-/// cycle is not free of artificial work; the steps of Mindlin & Deresiewicz (1953) are not followed.
+/// cycle is not free of artificial work; the steps of Mindlin & Deresiewicz (1953) are not followed. With E_i and ν_i
+/// of the two bodies 1/E* = Σ (1 − ν_i²)/E_i and 1/G* = Σ 2 (1 + ν_i)(2 − ν_i)/E_i.
 class HertzMindlin {
  public:
   static constexpr std::array keys{ContactKey{"youngs_modulus", true}, ContactKey{"poisson_ratio"},
@@ -29,12 +30,20 @@ class HertzMindlin {
       .keys = keys,
       .stiffness_key = "youngs_modulus"};
 
-  /// With `at_wall` and contact.rigid_walls only the sphere deforms.
+  /// With `at_wall` the second body is the wall, with contact.rigid_walls one that does not deform.
   explicit HertzMindlin(const Contact& contact, bool at_wall = false) {
     const double bodies = at_wall && contact.rigid_walls ? 1.0 : 2.0;
     const double poisson = contact.poisson_ratio;
     effective_modulus_ = contact.youngs_modulus / (bodies * (1.0 - poisson * poisson));
     effective_shear_modulus_ = contact.youngs_modulus / (bodies * 2.0 * (1.0 + poisson) * (2.0 - poisson));
+    if (at_wall && !contact.rigid_walls && (contact.wall.youngs_modulus || contact.wall.poisson_ratio)) {
+      const double wall_modulus = contact.wall.youngs_modulus.value_or(contact.youngs_modulus);
+      const double wall_poisson = contact.wall.poisson_ratio.value_or(poisson);
+      effective_modulus_ = 1.0 / ((1.0 - poisson * poisson) / contact.youngs_modulus +
+                                  (1.0 - wall_poisson * wall_poisson) / wall_modulus);
+      effective_shear_modulus_ = 1.0 / (2.0 * (1.0 + poisson) * (2.0 - poisson) / contact.youngs_modulus +
+                                        2.0 * (1.0 + wall_poisson) * (2.0 - wall_poisson) / wall_modulus);
+    }
     damping_ = 2.0 * std::sqrt(5.0 / 6.0) * damping_ratio(contact.restitution);
     time_step_ = contact.time_step;
     steps_per_second_ = 1.0 / contact.time_step;

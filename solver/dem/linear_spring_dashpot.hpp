@@ -48,10 +48,18 @@ inline double damping_ratio(double restitution) {
 /// (`contact.cut_tension`) ends the push earlier in time and raises the restitution above e: to
 /// exp(−ζ/√(1 − ζ²) (π − arctan(2ζ√(1 − ζ²)/(2ζ² − 1)))) for ζ < 1/√2 (Schwager & Pöschel 2007, Granular Matter
 /// 9:465).
+///
+/// Along the contact plane (contact.tangential_model): k_t = tangential_stiffness_ratio k_n and c_t =
+/// tangential_damping_ratio c_n, limited by Coulomb friction; or the dashpot alone, |F_t| = min(c_t |v_t|, μ F_n),
+/// which remembers nothing and so holds no sphere on a slope; or the spring alone, which loses energy by sliding only.
 class LinearSpringDashpot {
  public:
-  static constexpr std::array keys{ContactKey{"stiffness", true}, ContactKey{"restitution"}, ContactKey{"cut_tension"},
-                                   ContactKey{"tangential_stiffness_ratio"}, ContactKey{"tangential_damping_ratio"}};
+  static constexpr std::array keys{ContactKey{"stiffness", true},
+                                   ContactKey{"restitution"},
+                                   ContactKey{"cut_tension"},
+                                   ContactKey{"tangential_stiffness_ratio"},
+                                   ContactKey{"tangential_damping_ratio"},
+                                   ContactKey{"tangential_model"}};
   static constexpr ContactLawInfo info{.name = "linear",
                                        .title = "Linear spring and dashpot, Cundall & Strack (1979)",
                                        .equation = "F_n = k_n d + c_n d', c_n = 2 zeta sqrt(k_n m_eff)",
@@ -63,8 +71,11 @@ class LinearSpringDashpot {
   explicit LinearSpringDashpot(const Contact& contact, bool /*at_wall*/ = false)
       : stiffness_(contact.stiffness),
         damping_(2.0 * damping_ratio(contact.restitution) * std::sqrt(contact.stiffness)),
-        tangential_stiffness_(contact.stiffness * contact.tangential_stiffness_ratio),
-        tangential_damping_ratio_(contact.tangential_damping_ratio),
+        tangential_stiffness_(contact.tangential_model == TangentialModel::dashpot
+                                  ? 0.0
+                                  : contact.stiffness * contact.tangential_stiffness_ratio),
+        tangential_damping_ratio_(
+            contact.tangential_model == TangentialModel::spring ? 0.0 : contact.tangential_damping_ratio),
         time_step_(contact.time_step),
         steps_per_second_(1.0 / contact.time_step),
         lag_(contact.integrator == Integrator::symplectic_euler ? 0.5 * contact.time_step : 0.0),

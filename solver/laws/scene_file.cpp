@@ -71,7 +71,8 @@ void check_contact(const Scene& scene, Problems& problems) {
                     "{}?",
                     stiffness_keys()));
   if (contact.allow_large_time_step || contact.time_step <= bound) return;
-  const std::string softer = stiffness_key.empty() ? "law" : fmt::format("contact.{}", stiffness_key);
+  std::string softer = stiffness_key.empty() ? "law" : fmt::format("contact.{}", stiffness_key);
+  if (contact.wall.stiffness || contact.wall.youngs_modulus) softer += fmt::format(" or wall.{}", stiffness_key);
   problems.add("contact.time_step", units::with_unit(contact.time_step, units::time),
                fmt::format("is above the bound 1/ω_0 = sqrt(m_eff/k_n) = {} s of the stiffest pair; allowed is at most "
                            "that, a softer {}, or contact.allow_large_time_step = true",
@@ -130,15 +131,17 @@ double contact_time_step_bound(const Scene& scene) {
   };
   const dem::ContactLawKernels law = find_contact_law(scene.contact.law);
   double bound = std::numeric_limits<double>::infinity();
-  const auto pair_of = [&](double effective_mass, double effective_radius) {
+  const Contact wall_contact = scene.contact.at_wall();
+  const auto pair_of = [&](double effective_mass, double effective_radius, bool at_wall = false) {
     // Where the stiffness depends on the overlap: at a hundredth of the effective radius.
-    const double stiffness = law.stiffness(scene.contact, false, 0.01 * effective_radius, effective_radius);
+    const double stiffness =
+        law.stiffness(at_wall ? wall_contact : scene.contact, at_wall, 0.01 * effective_radius, effective_radius);
     bound = std::min(bound, std::sqrt(effective_mass / stiffness));
   };
   for (const Species& a : scene.species) {
     const double mass = a.mass(), radius = 0.5 * a.diameter;
     const std::int64_t present = a.count + (is_dropped(a) ? 1 : 0);
-    if (present >= 1) pair_of(mass, radius);  // against a wall
+    if (present >= 1) pair_of(mass, radius, true);
     if (present >= 2) pair_of(mass / 2.0, radius / 2.0);
     if (present == 0) continue;
     for (const Species& b : scene.species) {

@@ -87,18 +87,36 @@ void apply_override(toml::table& root, const Override& change) {
   insert_value(*table, key, change.value);
 }
 
-/// Removes the keys of [contact] that the law of an override does not take.
-void forget_other_contact_law(toml::table& root, const std::vector<Override>& changes, const SceneLaws& laws) {
-  toml::table* contact = root["contact"].as_table();
-  const auto change = std::find_if(changes.rbegin(), changes.rend(),
-                                   [](const Override& candidate) { return candidate.path == "contact.law"; });
-  if (contact == nullptr || change == changes.rend()) return;
+/// The newest override of a key of [contact], without its quotes.
+std::optional<std::string> word_for(const std::vector<Override>& changes, const std::string& path) {
+  const auto change =
+      std::find_if(changes.rbegin(), changes.rend(), [&](const Override& candidate) { return candidate.path == path; });
+  if (change == changes.rend()) return std::nullopt;
   const bool quoted = change->value.starts_with('"') && change->value.ends_with('"');
-  const std::string law = quoted ? change->value.substr(1, change->value.size() - 2) : change->value;
-  std::vector<std::string> others;
-  for (const auto& [key, value] : *contact)
-    if (laws.contact_key(law, key.str()).rule == Presence::Rule::meaningless) others.emplace_back(key.str());
-  for (const std::string& key : others) contact->erase(key);
+  return quoted ? change->value.substr(1, change->value.size() - 2) : change->value;
+}
+
+/// Removes the key of [contact] that the tangential model of an override does not take.
+void forget_other_tangential_model(toml::table& root, const std::vector<Override>& changes) {
+  toml::table* contact = root["contact"].as_table();
+  const auto model = word_for(changes, "contact.tangential_model");
+  if (contact == nullptr || !model) return;
+  if (*model == "dashpot") contact->erase("tangential_stiffness_ratio");
+  if (*model == "spring") contact->erase("tangential_damping_ratio");
+}
+
+/// Removes the keys of [contact] and [wall] that the law of an override does not take.
+void forget_other_contact_law(toml::table& root, const std::vector<Override>& changes, const SceneLaws& laws) {
+  const auto law = word_for(changes, "contact.law");
+  if (!law) return;
+  for (const char* section : {"contact", "wall"}) {
+    toml::table* table = root[section].as_table();
+    if (table == nullptr) continue;
+    std::vector<std::string> others;
+    for (const auto& [key, value] : *table)
+      if (laws.contact_key(*law, key.str()).rule == Presence::Rule::meaningless) others.emplace_back(key.str());
+    for (const std::string& key : others) table->erase(key);
+  }
 }
 
 }  // namespace
@@ -111,6 +129,7 @@ std::vector<Override> split_overrides(const std::vector<std::string>& texts) {
 
 void apply_overrides(toml::table& root, const std::vector<Override>& changes, const SceneLaws& laws) {
   forget_other_contact_law(root, changes, laws);
+  forget_other_tangential_model(root, changes);
   for (const Override& change : changes) apply_override(root, change);
 }
 

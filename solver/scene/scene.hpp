@@ -74,9 +74,20 @@ struct Start {
 
 enum class RollingModel { constant_torque, elastic_plastic };
 enum class RollingRadius { own, reduced };
+enum class TangentialModel { spring_dashpot, dashpot, spring };
 enum class Integrator { symplectic_euler, velocity_verlet, position_verlet, gear };
 
-/// Soft-sphere contact, the same for all pairs and walls (Peng 2014, Table 1).
+/// What the walls have of their own; without a value: as between spheres.
+struct WallContact {
+  std::optional<double> stiffness;         ///< linear: k_n of a sphere at a wall [N/m]
+  std::optional<double> youngs_modulus;    ///< hertz: E of the wall's material [Pa]
+  std::optional<double> poisson_ratio;     ///< hertz: ν of the wall's material [-]
+  std::optional<double> restitution;       ///< e [-]
+  std::optional<double> sliding_friction;  ///< μ [-]
+  std::optional<double> rolling_friction;  ///< μ_rol [-]
+};
+
+/// Soft-sphere contact of pairs and, where `wall` has no other value, of walls (Peng 2014, Table 1).
 struct Contact {
   std::string law = "linear";     ///< of solver/dem/contact_laws.cpp, or a C++ file (solver/laws/user_law.hpp)
   double stiffness = 0.0;         ///< linear: k_n [N/m]
@@ -92,9 +103,22 @@ struct Contact {
   double rolling_damping_ratio = 0.3;                 ///< elastic-plastic: η_r (Ai et al. 2011) [-]
   double tangential_stiffness_ratio = 2.0 / 7.0;      ///< linear: k_t / k_n [-]; the paper does not say
   double tangential_damping_ratio = 0.5;  ///< linear: tangential over normal damping [-]; the paper does not say
+  TangentialModel tangential_model = TangentialModel::spring_dashpot;  ///< linear
   Integrator integrator = Integrator::symplectic_euler;
   double time_step = 0.0;              ///< [s]
   bool allow_large_time_step = false;  ///< accept a step above 1/ω_0 of the stiffest pair
+  WallContact wall;
+
+  /// That of a sphere and a wall. Young's modulus and Poisson's ratio stay those of the spheres: a contact has both
+  /// bodies', and the law finds those of the other in `wall`.
+  [[nodiscard]] Contact at_wall() const {
+    Contact contact = *this;
+    contact.stiffness = wall.stiffness.value_or(stiffness);
+    contact.restitution = wall.restitution.value_or(restitution);
+    contact.sliding_friction = wall.sliding_friction.value_or(sliding_friction);
+    contact.rolling_friction = wall.rolling_friction.value_or(rolling_friction);
+    return contact;
+  }
 };
 
 struct Coupling {

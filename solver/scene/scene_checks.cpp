@@ -56,6 +56,10 @@ class RangeCheck {
               const Presence& presence) {
     check(key, value, with_unit(value, dimension), allowed, presence);
   }
+  void optional_number(const std::string& key, const std::optional<double>& value, const units::Dimension& dimension,
+                       const Allowed& allowed, const Presence& presence) {
+    if (value) number(key, *value, dimension, allowed, presence);
+  }
   void pair(const std::string& key, const std::array<double, 2>& value, const units::Dimension& dimension,
             const Allowed& allowed, const Presence& presence) {
     for (const double item : value) check(key, item, with_unit(item, dimension), allowed, presence);

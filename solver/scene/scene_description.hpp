@@ -74,6 +74,9 @@ inline constexpr std::array walls{Choice{"no-slip", LateralBoundary::no_slip}, C
 inline constexpr std::array rolling_models{Choice{"constant-torque", RollingModel::constant_torque},
                                            Choice{"elastic-plastic", RollingModel::elastic_plastic}};
 inline constexpr std::array rolling_radii{Choice{"own", RollingRadius::own}, Choice{"reduced", RollingRadius::reduced}};
+inline constexpr std::array tangential_models{Choice{"spring-dashpot", TangentialModel::spring_dashpot},
+                                              Choice{"dashpot", TangentialModel::dashpot},
+                                              Choice{"spring", TangentialModel::spring}};
 inline constexpr std::array integrators{
     Choice{"symplectic-euler", Integrator::symplectic_euler}, Choice{"velocity-verlet", Integrator::velocity_verlet},
     Choice{"position-verlet", Integrator::position_verlet}, Choice{"gear", Integrator::gear}};
@@ -104,7 +107,8 @@ std::string_view word_of(Enum value, const std::array<Choice<Enum>, N>& choices)
   return std::ranges::find(choices, value, &Choice<Enum>::value)->word;
 }
 
-/// Walks the scene. A visitor has text, law, boolean, integer, number, pair, choice and particle_count, each called
+/// Walks the scene. A visitor has text, law, boolean, integer, number, optional_number, pair, choice and
+/// particle_count, each called
 /// with the key, the value and the rules; section(name, body) and sections(name, items, body) open the tables.
 template <class Visitor>
 void describe(Visitor& visitor, Scene& scene, const SceneLaws& laws) {
@@ -168,13 +172,40 @@ void describe(Visitor& visitor, Scene& scene, const SceneLaws& laws) {
                    optional_if(!plastic, "it belongs to rolling_model = \"constant-torque\""));
     visitor.number("rolling_damping_ratio", contact.rolling_damping_ratio, u::ratio, not_negative,
                    optional_if(plastic, "it belongs to rolling_model = \"elastic-plastic\""));
+    Presence model = of_law("tangential_model");
+    model.left_out = contact.tangential_model == Contact{}.tangential_model;
+    visitor.choice("tangential_model", contact.tangential_model, tangential_models, model);
+    const auto unless = [&](TangentialModel other, std::string_view key, std::string_view reason) {
+      return contact.tangential_model == other ? optional_if(false, reason) : of_law(key);
+    };
     visitor.number("tangential_stiffness_ratio", contact.tangential_stiffness_ratio, u::ratio, positive,
-                   of_law("tangential_stiffness_ratio"));
+                   unless(TangentialModel::dashpot, "tangential_stiffness_ratio",
+                          "there is no spring with tangential_model = \"dashpot\""));
     visitor.number("tangential_damping_ratio", contact.tangential_damping_ratio, u::ratio, not_negative,
-                   of_law("tangential_damping_ratio"));
+                   unless(TangentialModel::spring, "tangential_damping_ratio",
+                          "there is no dashpot with tangential_model = \"spring\""));
     visitor.choice("integrator", contact.integrator, integrators, optional);
     visitor.number("time_step", contact.time_step, u::time, positive, required);
     visitor.boolean("allow_large_time_step", contact.allow_large_time_step, optional);
+  });
+  visitor.section("wall", [&] {
+    const Contact& contact = scene.contact;
+    WallContact& wall = scene.contact.wall;
+    const auto of_law = [&](std::string_view key) {
+      const Presence presence = laws.contact_key(contact.law, key);
+      return presence.rule == Presence::Rule::required ? optional : presence;
+    };
+    const auto of_deforming_wall = [&](std::string_view key) {
+      return contact.rigid_walls ? optional_if(false, "contact.rigid_walls = true") : of_law(key);
+    };
+    visitor.optional_number("stiffness", wall.stiffness, u::stiffness, positive, of_law("stiffness"));
+    visitor.optional_number("youngs_modulus", wall.youngs_modulus, u::pressure, positive,
+                            of_deforming_wall("youngs_modulus"));
+    visitor.optional_number("poisson_ratio", wall.poisson_ratio, u::ratio, zero_to_half,
+                            of_deforming_wall("poisson_ratio"));
+    visitor.optional_number("restitution", wall.restitution, u::ratio, above_zero_to_one, of_law("restitution"));
+    visitor.optional_number("sliding_friction", wall.sliding_friction, u::ratio, not_negative, optional);
+    visitor.optional_number("rolling_friction", wall.rolling_friction, u::ratio, not_negative, optional);
   });
   visitor.section("coupling", [&] {
     auto& coupling = scene.coupling;

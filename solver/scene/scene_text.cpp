@@ -123,6 +123,13 @@ class Reader {
     }
   }
 
+  void optional_number(const std::string& key, std::optional<double>& value, const units::Dimension& dimension,
+                       const Allowed&, const Presence& presence) {
+    const toml::node* node = look_up(key, presence, describe_quantity(dimension));
+    double read = 0.0;
+    if (node != nullptr && read_quantity(key, *node, dimension, read)) value = read;
+  }
+
   void pair(const std::string& key, std::array<double, 2>& value, const units::Dimension& dimension, const Allowed&,
             const Presence& presence) {
     const std::string wanted = fmt::format("two values, for example [\"{0}\", \"{0}\"]", dimension.example);
@@ -334,6 +341,10 @@ class Writer {
   }
   void number(const std::string& key, double value, const units::Dimension&, const Allowed&, const Presence& presence) {
     line(key, shortest(value), presence);
+  }
+  void optional_number(const std::string& key, const std::optional<double>& value, const units::Dimension&,
+                       const Allowed&, const Presence& presence) {
+    if (value) line(key, shortest(*value), presence);
   }
   void pair(const std::string& key, const std::array<double, 2>& value, const units::Dimension&, const Allowed&,
             const Presence& presence) {

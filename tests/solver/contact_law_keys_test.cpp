@@ -41,6 +41,9 @@ time_step = 1e-6
   return text;
 }
 
+/// A key that is not written while it has its default.
+bool left_out_at_default(const dem::ContactKey& key) { return key.name == "tangential_model"; }
+
 std::set<std::string> keys_of_contact(const std::string& canonical) {
   std::set<std::string> keys;
   std::istringstream lines(canonical.substr(canonical.find("[contact]")));
@@ -55,8 +58,9 @@ TEST(ContactLawKeys, AreThoseThatItsScenesHave) {
     const auto keys = keys_of_contact(canonical_toml(parse_scene(scene_with(own.info), "scene")));
     for (const dem::ContactLawKernels& law : dem::contact_laws())
       for (const dem::ContactKey& key : law.info.keys)
-        EXPECT_EQ(keys.contains(std::string(key.name)), own.info.key(key.name) != nullptr)
-            << own.info.name << ": " << key.name;
+        if (!left_out_at_default(key))
+          EXPECT_EQ(keys.contains(std::string(key.name)), own.info.key(key.name) != nullptr)
+              << own.info.name << ": " << key.name;
     EXPECT_TRUE(keys.contains("sliding_friction")) << "a key of every law";
     EXPECT_NE(own.info.key(own.info.stiffness_key), nullptr) << own.info.name;
   }

@@ -573,6 +573,12 @@ TEST(SceneHash, DependsOnEveryValue) {
                                          "coupling.meshing_pieces=1000",
                                          "coupling.void_fraction_interval=2 ms",
                                          "coupling.smoothing_length=3 mm",
+                                         "contact.tangential_model=dashpot",
+                                         "contact.tangential_model=spring",
+                                         "wall.stiffness=9e3",
+                                         "wall.restitution=0.9",
+                                         "wall.sliding_friction=0.3",
+                                         "wall.rolling_friction=0.0175",
                                          "outlet.particles=remove",
                                          "start.arrangement=random",
                                          "start.arrangement=random-close",
@@ -626,6 +632,78 @@ TEST(SceneHash, KeysOfTheStartAreLeftOutAtTheirDefaults) {
   const Scene back = parse_scene(canonical_toml(random), "canonical");
   EXPECT_EQ(back.start.arrangement, Arrangement::random_close);
   EXPECT_TRUE(back.stages[0].dry);
+}
+
+// Walls of their own.
+TEST(SceneHash, WallsAreWrittenWhereTheyDiffer) {
+  const Scene before = parse_scene(valid_scene, "scene.toml");
+  EXPECT_EQ(canonical_toml(before).find("[wall]"), std::string::npos);
+  EXPECT_EQ(canonical_toml(before).find("tangential_model"), std::string::npos);
+  const Scene walls = parse_scene(valid_scene, "scene.toml",
+                                  {"wall.stiffness=5e3 N/m", "wall.restitution=0.5", "wall.sliding_friction=0",
+                                   "wall.rolling_friction=0.01", "contact.tangential_model=dashpot"});
+  const Scene back = parse_scene(canonical_toml(walls), "canonical");
+  const Contact at_wall = back.contact.at_wall();
+  EXPECT_EQ(at_wall.stiffness, 5e3);
+  EXPECT_EQ(at_wall.restitution, 0.5);
+  EXPECT_EQ(at_wall.sliding_friction, 0.0);
+  EXPECT_EQ(at_wall.rolling_friction, 0.01);
+  EXPECT_EQ(at_wall.time_step, before.contact.time_step);
+  EXPECT_EQ(back.contact.stiffness, 1e4);
+  EXPECT_EQ(back.contact.tangential_model, TangentialModel::dashpot);
+  EXPECT_EQ(scene_hash(back), scene_hash(walls));
+}
+
+TEST(SceneRules, WallsTakeTheKeysOfTheLaw) {
+  const auto blame = [](const Overrides& overrides) {
+    return message_of([&] { parse_scene(valid_scene, "scene.toml", overrides); });
+  };
+  EXPECT_NE(blame({"wall.youngs_modulus=1e9"})
+                .find("wall.youngs_modulus = 1e9: has no meaning here; it belongs to law = "
+                      "\"hertz\""),
+            std::string::npos)
+      << blame({"wall.youngs_modulus=1e9"});
+  EXPECT_NE(blame({"wall.restitution=1.5"}).find("wall.restitution = 1.5: out of range"), std::string::npos);
+  EXPECT_NE(blame({"wall.sliding_friction=nan"}).find("wall.sliding_friction = nan: out of range"), std::string::npos)
+      << blame({"wall.sliding_friction=nan"});
+  const Overrides hertz{"contact.law=hertz", "contact.youngs_modulus=1e7", "contact.time_step=1e-5"};
+  Overrides stiff_wall = hertz, rigid = hertz;
+  stiff_wall.emplace_back("wall.youngs_modulus=2e7");
+  EXPECT_NO_THROW(parse_scene(valid_scene, "scene.toml", stiff_wall));
+  rigid.insert(rigid.end(), {"contact.rigid_walls=true", "wall.poisson_ratio=0.3"});
+  EXPECT_NE(blame(rigid).find("wall.poisson_ratio = 0.3: has no meaning here; contact.rigid_walls = true"),
+            std::string::npos)
+      << blame(rigid);
+}
+
+// One sphere that meets nothing but walls: 1/ω_0 = sqrt(m/k).
+TEST(SceneRules, AStiffWallBoundsTheContactStep) {
+  Scene scene = parse_scene(valid_scene, "scene.toml");
+  scene.species.resize(1);
+  scene.species[0].count = 1;
+  scene.stages.resize(1);
+  const double mass = scene.species[0].mass();
+  EXPECT_NEAR(contact_time_step_bound(scene), std::sqrt(mass / 1e4), 1e-15);
+  scene.contact.wall.stiffness = 1e6;
+  EXPECT_NEAR(contact_time_step_bound(scene), std::sqrt(mass / 1e6), 1e-15);
+  const std::string message = message_of([] {
+    parse_scene(valid_scene, "scene.toml", {"wall.stiffness=1e6", "species[0].count=1"});
+  });
+  EXPECT_NE(message.find("allowed is at most that, a softer contact.stiffness or wall.stiffness"), std::string::npos)
+      << message;
+}
+
+TEST(SceneRules, OnlyOneTangentialElementHasOneRatio) {
+  const std::string spring = replaced(valid_scene, "tangential_damping_ratio = 0.5", "tangential_model = \"spring\"");
+  EXPECT_EQ(parse_scene(spring, "scene.toml").contact.tangential_model, TangentialModel::spring);
+  const std::string both = replaced(valid_scene, "tangential_damping_ratio = 0.5",
+                                    "tangential_damping_ratio = 0.5\ntangential_model = \"spring\"");
+  EXPECT_NE(message_of([&] {
+              parse_scene(both, "scene.toml");
+            }).find("contact.tangential_damping_ratio = 0.5: has no meaning here; there is no dashpot"),
+            std::string::npos);
+  // An override takes the other's ratio out of the file.
+  EXPECT_NO_THROW(parse_scene(valid_scene, "scene.toml", {"contact.tangential_model=spring"}));
 }
 
 TEST(SceneRules, OnlySettlingIsDry) {
