@@ -1,5 +1,6 @@
 #include "solver/dem/cell_search.hpp"
 
+#include <limits>
 #include <tuple>
 
 namespace slfb::dem {
@@ -21,7 +22,8 @@ const std::vector<std::uint32_t>& CellSearch::sort(const std::vector<Vec4>& posi
   }
   const double reach = 2.0 * largest_radius + skin;
   std::array<double, 3> extent{}, inverse{};
-  double size = reach;
+  // Without spheres there is no reach, and one cell does.
+  double size = n > 0 ? reach : std::numeric_limits<double>::infinity();
   for (std::size_t a = 0; a < 3; ++a) {
     if (period[a] > 0.0) lower[a] = -0.5 * period[a];
     extent[a] = period[a] > 0.0 ? period[a] : upper[a] - lower[a];

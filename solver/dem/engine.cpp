@@ -184,6 +184,27 @@ std::size_t Engine::find_touching(const PairList& list, std::uint32_t first, std
   return count;
 }
 
+template <bool AtWall>
+void Engine::note_deep_overlaps(const PairList& list, const std::uint32_t* touching, std::size_t size,
+                                ThreadPartition& partition) const {
+  ContactBatch& batch = partition.batch;
+  const auto radius = [&](std::size_t k) {
+    return AtWall ? batch.radius_i(k) : std::min(batch.radius_i(k), batch.radius_j(k));
+  };
+  bool any = false;
+  for (std::size_t k = 0; k < size; ++k) any |= batch.overlap(k) > deep_overlap * radius(k);
+  if (!any) return;
+  for (std::size_t k = 0; k < size; ++k) {
+    const double share = batch.overlap(k) / radius(k);
+    if (!(share > std::max(deep_overlap, partition.deepest.share))) continue;
+    const std::uint32_t p = touching[k], i = list.first[p], j = list.second[p];
+    partition.deepest = {share, order_[i], AtWall ? j : order_[j], AtWall, position_[i].vector()};
+    // At a wall the centre is beyond it then, which compute_walls() has found.
+    if (!AtWall && share >= 1.0)
+      fail("overlaps another by the whole of the smaller radius", batch.radius_i(k) < batch.radius_j(k) ? i : j);
+  }
+}
+
 /// Computes the contacts `touching` of a list, a batch at a time. `second(p)` returns the second body of pair p;
 /// take(k, p, force, torque_i, torque_j) is called with the result of each contact k, in order.
 template <bool AtWall, class Second, class Take>
@@ -246,6 +267,7 @@ void Engine::compute(PairList& list, const std::uint32_t* touching, std::size_t 
         if (rolling_remembers_) store(list.rolling_memory[p], rolling_memory[lane]);
       }
     }
+    note_deep_overlaps<AtWall>(list, touching + begin, size, partition);
     for (; !AtWall && recorded < partition.new_contacts.size(); ++recorded) {
       const std::uint32_t k = partition.new_contacts[recorded];
       list.impact_speed[touching[k]] = batch.approach_speed(k - begin);

@@ -70,8 +70,8 @@ class Engine {
   void remove_particle(std::size_t i);
 
   /// Advances all spheres by `steps` time steps of the scene; does nothing for `steps` ≤ 0.
-  /// Throws EngineError in the step in which a sphere's centre has gone through a wall, or in which a velocity is not
-  /// finite any more; `particles` then holds the state of that step.
+  /// Throws EngineError in the step in which a sphere's centre has gone through a wall or another sphere's surface, or
+  /// in which a velocity is not finite any more; `particles` then holds the state of that step.
   void advance(std::int64_t steps);
   void step() { advance(1); }
 
@@ -102,6 +102,19 @@ class Engine {
   [[nodiscard]] bool touches_wall(std::size_t i, std::size_t wall) const;
   /// Largest overlap over the smaller radius at the last step [-].
   [[nodiscard]] double maximum_overlap() const { return maximum_overlap_; }
+
+  /// Share of the smaller radius above which an overlap is deep: the spheres no longer act as spheres that touch.
+  static constexpr double deep_overlap = 0.2;
+  /// A contact with a deep overlap.
+  struct DeepContact {
+    double share = 0.0;        ///< overlap over the smaller radius [-]
+    std::uint32_t first = 0;   ///< sphere
+    std::uint32_t second = 0;  ///< sphere, or number of the wall
+    bool at_wall = false;
+    Vec3 place;  ///< centre of the first sphere [m]
+  };
+  /// The deepest of all steps since the last call, if any contact was deep.
+  [[nodiscard]] std::optional<DeepContact> take_deepest_contact();
 
   struct TouchingPair {
     std::uint32_t first, second;  ///< spheres; at a wall the sphere and the number of the wall
@@ -190,6 +203,10 @@ class Engine {
   void compute_outer(ThreadPartition& partition, StepMode mode);
   void add_earlier_partitions(const ThreadPartition& partition);
   void sweep(ThreadPartition& partition, StepMode mode);
+  /// Notes the deep overlaps among the first `size` contacts of a batch, which belong to the pairs `touching`.
+  template <bool AtWall>
+  void note_deep_overlaps(const PairList& list, const std::uint32_t* touching, std::size_t size,
+                          ThreadPartition& partition) const;
   template <class Integrator>
   void move(ThreadPartition& partition, std::size_t first, std::size_t last, StepMode mode);
   template <class Integrator>

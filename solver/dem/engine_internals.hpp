@@ -75,6 +75,7 @@ struct ThreadPartition {
   std::vector<Vec4> wall_point;  ///< of each pair with a wall: the point of the wall; w = 0, no radius
   std::size_t outer_count = 0, outer_next = 0;
   double speed_squared = 0.0, speed_sum = 0.0, overlap = 0.0;
+  Engine::DeepContact deepest;  ///< since it was last asked for; share 0: none
   Vec3 tracked_force;
   std::string failure;
   std::vector<Collision> collisions;

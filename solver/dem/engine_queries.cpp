@@ -1,6 +1,7 @@
 // What others ask the engine for: forces, contacts, collisions.
 #include <algorithm>
 #include <tuple>
+#include <utility>
 
 #include "solver/dem/engine_internals.hpp"
 
@@ -24,6 +25,15 @@ std::size_t Engine::listed_pairs() const {
   std::size_t pairs = 0;
   for (const auto& partition : partitions_) pairs += partition->inner.second.size() + partition->outer.second.size();
   return pairs;
+}
+
+std::optional<Engine::DeepContact> Engine::take_deepest_contact() {
+  DeepContact deepest;
+  for (auto& partition : partitions_) {
+    const DeepContact own = std::exchange(partition->deepest, {});
+    if (own.share > deepest.share) deepest = own;
+  }
+  return deepest.share > 0.0 ? std::optional(deepest) : std::nullopt;
 }
 
 std::vector<Engine::TouchingPair> Engine::touching_pairs() const {

@@ -45,37 +45,116 @@ std::array<double, 2> half_width(const Geometry& geometry) {
   return {0.5 * geometry.width[0], 0.5 * geometry.width[1]};
 }
 
-std::vector<PlacedSphere> lattice(const Scene& scene) {
-  const std::vector<int> order = shuffled_species(scene);
+/// Places in one layer of the lattice, and its spacing: room for the largest sphere and its jitter around each.
+struct Sites {
+  double jitter, spacing, margin;  ///< margin: of a centre from what it must not touch [m]
+  int x, y;
+  [[nodiscard]] std::array<double, 2> at(int ix, int iy) const {
+    return {(ix - 0.5 * (x - 1)) * spacing, (iy - 0.5 * (y - 1)) * spacing};
+  }
+};
+Sites sites_of(const Scene& scene) {
   const double diameter = largest_diameter(scene);
-  const Geometry& geometry = scene.geometry;
-  const bool cylinder = geometry.shape == Shape::cylinder;
-  const auto [half_x, half_y] = half_width(geometry);
-  const double jitter = 0.06 * diameter, spacing = diameter + 2.0 * jitter, margin = 0.5 * diameter + jitter;
-  const auto sites = [&](double half) {
-    return std::max(1, static_cast<int>(std::floor((2.0 * half - 2.0 * margin) / spacing)) + 1);
+  const bool cylinder = scene.geometry.shape == Shape::cylinder;
+  const auto [half_x, half_y] = half_width(scene.geometry);
+  double jitter = 0.06 * diameter;
+  // In a column hardly wider than a sphere there is less room for it.
+  const double room = std::min(half_x, half_y) - 0.5 * diameter;
+  if (scene.fluid.wall != LateralBoundary::periodic && room < (cylinder ? jitter : jitter / std::sqrt(3.0)))
+    jitter = (1.0 - 1e-9) * room;
+  Sites sites{jitter, diameter + 2.0 * jitter, 0.5 * diameter + jitter, 1, 1};
+  const auto count = [&](double half) {
+    return std::max(1, static_cast<int>(std::floor((2.0 * half - 2.0 * sites.margin) / sites.spacing)) + 1);
   };
-  const int sites_x = sites(half_x), sites_y = sites(half_y);
+  sites.x = count(half_x), sites.y = count(half_y);
+  // Two by two places on a square reach beyond a cylinder in which two beside one another have room.
+  const auto [x, y] = sites.at(0, 0);
+  if (cylinder && sites.x == 2 && std::hypot(x, y) + sites.margin > half_x) sites.y = 1;
+  return sites;
+}
+
+/// `jitter` times a number between −1/√3 and 1/√3, of that item and axis.
+double shift(const Scene& scene, double jitter, std::uint64_t item, std::uint64_t axis) {
+  return jitter * (2.0 * uniform(scene.seed, item, axis) - 1.0) / std::sqrt(3.0);
+}
+
+/// One sphere at each place, as far as the column reaches.
+std::vector<PlacedSphere> one_sphere_a_site(const Scene& scene, const std::vector<int>& order) {
+  const Sites sites = sites_of(scene);
+  const bool cylinder = scene.geometry.shape == Shape::cylinder;
+  const double half_x = half_width(scene.geometry)[0];
   std::vector<PlacedSphere> spheres;
   spheres.reserve(order.size());
   std::uint64_t site = 0;
   for (int layer = 0; spheres.size() < order.size(); ++layer) {
-    const double z = margin + layer * spacing;
-    if (z + margin > geometry.height)
-      throw SceneError(
-          fmt::format("species.count: {} spheres do not fit loosely into the column of height {} m ({} did)",
-                      order.size(), geometry.height, spheres.size()));
-    for (int iy = 0; iy < sites_y; ++iy)
-      for (int ix = 0; ix < sites_x && spheres.size() < order.size(); ++ix) {
-        const double x = (ix - 0.5 * (sites_x - 1)) * spacing, y = (iy - 0.5 * (sites_y - 1)) * spacing;
+    const double z = sites.margin + layer * sites.spacing;
+    if (z + sites.margin > scene.geometry.height) break;
+    for (int iy = 0; iy < sites.y; ++iy)
+      for (int ix = 0; ix < sites.x && spheres.size() < order.size(); ++ix) {
+        const auto [x, y] = sites.at(ix, iy);
         ++site;
-        if (cylinder && std::hypot(x, y) + margin > half_x) continue;
-        const auto shift = [&](std::uint64_t component) {
-          return jitter * (2.0 * uniform(scene.seed, site, component) - 1.0) / std::sqrt(3.0);
+        if (cylinder && std::hypot(x, y) + sites.margin > half_x) continue;
+        const auto moved = [&](double coordinate, std::uint64_t axis) {
+          return coordinate + shift(scene, sites.jitter, site, axis);
         };
-        spheres.push_back({{x + shift(0), y + shift(1), z + shift(2)}, order[spheres.size()]});
+        spheres.push_back({{moved(x, 0), moved(y, 1), moved(z, 2)}, order[spheres.size()]});
       }
   }
+  return spheres;
+}
+
+/// At each place, in the cube around it, one of the largest spheres or as many of another size as a lattice of theirs
+/// has there.
+std::vector<PlacedSphere> sites_by_size(const Scene& scene, const std::vector<int>& order) {
+  const Sites sites = sites_of(scene);
+  const bool cylinder = scene.geometry.shape == Shape::cylinder;
+  const double half_x = half_width(scene.geometry)[0];
+  const auto layers =
+      static_cast<std::int64_t>(std::floor((scene.geometry.height - 2.0 * sites.margin) / sites.spacing)) + 1;
+  const std::int64_t cubes = layers * sites.x * sites.y;
+  struct OpenCube {
+    std::int64_t cube = -1;
+    int next = 0;  ///< place in its own lattice
+  };
+  std::vector<OpenCube> open(scene.species.size());
+  std::vector<PlacedSphere> spheres;
+  spheres.reserve(order.size());
+  std::int64_t used = 0;
+  for (const int species : order) {
+    const double diameter = scene.species[static_cast<std::size_t>(species)].diameter, jitter = 0.06 * diameter;
+    const int edge = std::max(1, static_cast<int>(std::floor(sites.spacing / (diameter + 2.0 * jitter) + 1e-9)));
+    OpenCube& own = open[static_cast<std::size_t>(species)];
+    std::optional<std::array<double, 3>> place;
+    while (!place) {
+      if (own.cube < 0 || own.next == edge * edge * edge) {
+        if (used == cubes) return spheres;
+        own = {used++, 0};
+      }
+      const int q = own.next++;
+      const auto column = static_cast<int>(own.cube % (sites.x * sites.y));
+      const auto [cube_x, cube_y] = sites.at(column % sites.x, column / sites.x);
+      const auto within = [&](int k) { return ((k + 0.5) / edge - 0.5) * sites.spacing; };
+      const double x = cube_x + within(q % edge), y = cube_y + within(q / edge % edge);
+      if (cylinder && std::hypot(x, y) + 0.5 * diameter + jitter > half_x) continue;
+      const double z = sites.margin + static_cast<double>(own.cube / (sites.x * sites.y)) * sites.spacing +
+                       within(q / (edge * edge));
+      const std::uint64_t item = spheres.size() + 1;
+      place = {x + shift(scene, jitter, item, 0), y + shift(scene, jitter, item, 1), z + shift(scene, jitter, item, 2)};
+    }
+    spheres.push_back({*place, species});
+  }
+  return spheres;
+}
+
+std::vector<PlacedSphere> lattice(const Scene& scene) {
+  const std::vector<int> order = shuffled_species(scene);
+  std::vector<PlacedSphere> spheres = one_sphere_a_site(scene, order);
+  if (spheres.size() < order.size()) spheres = sites_by_size(scene, order);
+  if (spheres.size() < order.size())
+    throw SceneError(
+        fmt::format("species.count: {} spheres do not fit loosely into the column of height {} m ({} did); "
+                    "a greater height or start.arrangement = \"random\" may help",
+                    order.size(), scene.geometry.height, spheres.size()));
   return spheres;
 }
 
@@ -201,6 +280,8 @@ Addition add_at_random(const Scene& scene, double height) {
 }
 
 std::vector<PlacedSphere> random_in_column(const Scene& scene) {
+  const bool empty = std::ranges::all_of(scene.species, [](const Species& species) { return species.count == 0; });
+  if (empty) return {};
   const double column = scene.geometry.height;
   double height = column;
   if (scene.start.arrangement == Arrangement::random_close) {

@@ -14,7 +14,8 @@ struct PlacedSphere {
 
 /// Positions of all bed particles at the start, as start.arrangement says; species shuffled, no overlap.
 ///
-/// - lattice: a jittered cubic lattice, filled from the bottom;
+/// - lattice: a jittered cubic lattice, filled from the bottom, with places for the largest spheres; where these are
+///   too few, several spheres of a smaller size share one;
 /// - random: random sequential addition over the whole column (Widom 1966, J. Chem. Phys. 44:3888): each sphere is put
 ///   at a place that is uniform over the column, and put anew until it overlaps none of those before it, the largest
 ///   spheres first. In a wide column this ends near a solids fraction of 0.35;

@@ -11,15 +11,23 @@
 
 namespace slfb::simulation {
 
-void BedRecorder::measure_packed_bed(const Model& model) {
+void BedRecorder::measure_packed_bed(const Model& model, bool in_liquid) {
   const dem::Particles& particles = model.particles();
   if (particles.size() == 0) return;
-  double moment = 0.0, volume = 0.0;
+  // Of spheres that sink from the bottom up, of those that float from the lid down.
+  struct Part {
+    double moment = 0.0, volume = 0.0;
+    [[nodiscard]] double height() const { return volume > 0.0 ? 2.0 * moment / volume : 0.0; }
+  } sunk, floating;
   for (std::size_t i = 0; i < particles.size(); ++i) {
-    moment += particles.volume(i) * particles.position.z[i];
-    volume += particles.volume(i);
+    const double own = particles.volume(i), z = particles.position.z[i];
+    const bool floats = in_liquid && particles.mass[i] < scene_.liquid.density * own;
+    Part& part = floats ? floating : sunk;
+    part.moment += own * (floats ? scene_.geometry.height - z : z);
+    part.volume += own;
   }
-  result_.packed_height = 2.0 * moment / volume;
+  const double volume = sunk.volume + floating.volume;
+  result_.packed_height = sunk.height() + floating.height();
   result_.packed_voidage = 1.0 - volume / (scene_.geometry.cross_section() * result_.packed_height);
   double energy = 0.0, mass = 0.0;
   for (std::size_t i = 0; i < particles.size(); ++i) {

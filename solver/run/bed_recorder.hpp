@@ -11,9 +11,10 @@ class BedRecorder {
   /// \param result is filled; it must outlive the recorder, as the scene must
   BedRecorder(const Scene& scene, RunResult& result) : scene_(scene), result_(result) {}
 
-  /// Height and voidage of the bed at the end of settling; nothing without spheres. Warns if the bed has not come to
+  /// Height and voidage of the bed at the end of settling; nothing without spheres. Spheres that are lighter than the
+  /// liquid, if they have settled `in_liquid`, hang under the lid. Warns if the bed has not come to
   /// rest.
-  void measure_packed_bed(const Model& model);
+  void measure_packed_bed(const Model& model, bool in_liquid);
   /// One sample, `time` [s] after the start of fluidisation; all but the force balance. False, and no sample, if no
   /// sphere of the bed is left. Warns once if the contact network is too stiff for the spheres' time step.
   bool sample(const Model& model, double time);

@@ -55,6 +55,11 @@ class Model {
   [[nodiscard]] coupling::PhaseCoupling& coupling() { return *flowing_; }
   [[nodiscard]] const coupling::PhaseCoupling& coupling() const { return *flowing_; }
 
+  /// The deepest contact since the last call, see dem::Engine.
+  [[nodiscard]] std::optional<dem::Engine::DeepContact> take_deepest_contact() {
+    return engine_.take_deepest_contact();
+  }
+
   /// Σ m v_z of the spheres [kg m/s].
   [[nodiscard]] double sphere_momentum() const;
 

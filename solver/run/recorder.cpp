@@ -46,7 +46,7 @@ void Recorder::record_drop(const DropProtocol& drops, bool at_bottom, bool over)
 }
 
 void Recorder::stage_ended() {
-  if (schedule_.stage().kind == StageKind::settle) bed_.measure_packed_bed(model_);
+  if (schedule_.stage().kind == StageKind::settle) bed_.measure_packed_bed(model_, !schedule_.stage().dry);
   if (schedule_.stage().kind == StageKind::fluidise) liquid_.finish(model_, schedule_.fluidised_seconds());
 }
 

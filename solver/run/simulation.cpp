@@ -38,6 +38,7 @@ class Simulation {
   bool run_stage();
   void advance();
   void advance_drop();
+  void warn_of_deep_overlaps();
   void release_if_free();
   void save();
   [[noreturn]] void fail(const std::exception& error);
@@ -53,6 +54,7 @@ class Simulation {
   CheckpointFiles checkpoints_;
   ProgressReporter progress_;
   RunCost cost_;
+  double warned_overlap_ = 0.5 * dem::Engine::deep_overlap;  ///< over the radius: twice this is told next
   std::chrono::steady_clock::time_point last_save_ = std::chrono::steady_clock::now();
 };
 
@@ -108,6 +110,7 @@ void Simulation::advance() {
   result_.particle_steps += model_.advance(surroundings_of(schedule_.stage()));
   result_.simulated_seconds += scene_.fluid.time_step;
   schedule_.count_step();
+  warn_of_deep_overlaps();
   if (kind == StageKind::settle) return;
   recorder_.end_step();
   if (scene_.outlet.rule == OutletRule::remove) {
@@ -117,6 +120,23 @@ void Simulation::advance() {
   }
   recorder_.record();
   if (kind == StageKind::drop) advance_drop();
+}
+
+/// At the first deep overlap, and whenever the deepest has doubled since it was told.
+void Simulation::warn_of_deep_overlaps() {
+  const auto deepest = model_.take_deepest_contact();
+  if (!deepest || deepest->share < 2.0 * warned_overlap_) return;
+  warned_overlap_ = deepest->share;
+  const double ratio = deepest->share / dem::Engine::deep_overlap;
+  const std::string other = !deepest->at_wall      ? fmt::format("sphere {}", deepest->second)
+                            : deepest->second == 0 ? "the distributor"
+                                                   : "a side wall or the lid";
+  spdlog::warn(
+      "{}: {:.6g} s after the start of the run sphere {} overlaps {} by {:.2g} of the smaller radius, at "
+      "({:.3g}, {:.3g}, {:.3g}) m; above {:g} spheres do not act as spheres any more: contacts some {:.2g} times as "
+      "stiff, with contact.time_step as the check then asks, may help",
+      scene_.title, result_.simulated_seconds, deepest->first, other, deepest->share, deepest->place.x,
+      deepest->place.y, deepest->place.z, dem::Engine::deep_overlap, ratio * ratio);
 }
 
 void Simulation::advance_drop() {

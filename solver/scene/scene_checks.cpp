@@ -122,6 +122,14 @@ class PhysicsCheck {
     return volume / (densest_packing * scene_.geometry.cross_section());
   }
 
+  /// Mass of the bed's spheres less that of the liquid they displace [kg].
+  [[nodiscard]] double buoyant_bed_mass() const {
+    double mass = 0.0;
+    for (const Species& s : scene_.species)
+      mass += static_cast<double>(s.count) * s.volume() * (s.density - scene_.liquid.density);
+    return mass;
+  }
+
   void check_species() {
     const auto& species = scene_.species;
     if (species.empty()) problem("species", "[]", "is missing; needed is at least one table, written [[species]]");
@@ -264,6 +272,10 @@ class PhysicsCheck {
         if (scene_.liquid.superficial_velocity == 0.0) {
           problem(kind_path, kind, "nothing flows; needed is liquid.superficial_velocity greater than zero");
         }
+        if (buoyant_bed_mass() < 0.0)
+          problem(kind_path, kind,
+                  "the bed is lighter than the liquid: it hangs under the lid, and a flow upwards only presses it "
+                  "against that; needed is a species of greater density, or a scene that ends after \"settle\"");
       }
       if (stage.kind == StageKind::drop) check_drop(i, fluidised);
       const double repetitions = stage.kind == StageKind::drop ? static_cast<double>(stage.repetitions) : 1.0;

@@ -706,6 +706,13 @@ TEST(SceneRules, OnlyOneTangentialElementHasOneRatio) {
   EXPECT_NO_THROW(parse_scene(valid_scene, "scene.toml", {"contact.tangential_model=spring"}));
 }
 
+TEST(SceneRules, ABedThatFloatsIsNotFluidised) {
+  const Overrides light{"species[0].density=600"};
+  const std::string message = message_of([&] { parse_scene(valid_scene, "scene.toml", light); });
+  EXPECT_NE(message.find("stage[1].kind = \"fluidise\": the bed is lighter than the liquid"), std::string::npos)
+      << message;
+}
+
 TEST(SceneRules, OnlySettlingIsDry) {
   EXPECT_NE(message_of([] {
               parse_scene(valid_scene, "scene.toml", {"stage[1].dry=true"});

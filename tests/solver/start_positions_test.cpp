@@ -161,6 +161,100 @@ TEST(StartPositions, ThatAreNotFoundAreAnErrorThatCountsThem) {
   }
 }
 
+/// Whether all lie inside a cylinder without overlap.
+void expect_free_in_cylinder(const Scene& scene, const std::vector<dem::PlacedSphere>& spheres) {
+  const auto radius_of = [&](const dem::PlacedSphere& sphere) {
+    return 0.5 * scene.species[static_cast<std::size_t>(sphere.species)].diameter;
+  };
+  for (std::size_t i = 0; i < spheres.size(); ++i) {
+    const auto& a = spheres[i].centre;
+    EXPECT_LE(std::hypot(a[0], a[1]) + radius_of(spheres[i]), 0.5 * scene.geometry.diameter);
+    EXPECT_GE(a[2], radius_of(spheres[i]));
+    EXPECT_LE(a[2] + radius_of(spheres[i]), scene.geometry.height);
+    for (std::size_t j = 0; j < i; ++j) {
+      const auto& b = spheres[j].centre;
+      EXPECT_GE(std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]), radius_of(spheres[i]) + radius_of(spheres[j]));
+    }
+  }
+}
+
+// Between one and three spheres across, where a square of places reaches beyond the wall or has no room at all.
+TEST(StartPositions, AreFoundInNarrowTubes) {
+  for (double ratio = 1.02; ratio < 3.0; ratio += 0.02) {
+    Scene scene = column(Arrangement::lattice);
+    scene.geometry.diameter = ratio * 0.005;
+    scene.geometry.height = 0.5;
+    scene.species.front().count = 10;
+    const auto spheres = dem::start_positions(scene);
+    ASSERT_EQ(spheres.size(), 10U) << ratio;
+    expect_free_in_cylinder(scene, spheres);
+  }
+  for (double ratio = 1.02; ratio < 1.2; ratio += 0.02) {
+    Scene box = column(Arrangement::lattice);
+    box.geometry.shape = Shape::box;
+    box.geometry.width = {0.03, ratio * 0.005};
+    box.species.front().count = 10;
+    for (const auto& sphere : dem::start_positions(box))
+      EXPECT_LE(std::abs(sphere.centre[1]) + 0.0025, 0.5 * box.geometry.width[1]) << ratio;
+  }
+}
+
+// On places for the largest of them all, 1000 small spheres would need a column ten times as high.
+TEST(StartPositions, SmallSpheresShareThePlaceOfALargeOne) {
+  Scene scene = column(Arrangement::lattice);
+  scene.geometry.height = 0.06;
+  scene.species = {{"small", 0.0025, 2230, 1000}, {"large", 0.006, 2230, 20}};
+  const auto spheres = dem::start_positions(scene);
+  ASSERT_EQ(spheres.size(), 1020U);
+  expect_free_in_cylinder(scene, spheres);
+  const auto large = std::ranges::count(spheres, 1, &dem::PlacedSphere::species);
+  EXPECT_EQ(large, 20);
+}
+
+// --- columns without a sphere, and beds that float -------------------------------------------------------------------
+
+Scene periodic_box(double density) {
+  Scene scene = column(Arrangement::lattice);
+  scene.geometry.shape = Shape::box;
+  scene.geometry.width = {0.025, 0.025};
+  scene.geometry.height = 0.15;
+  scene.fluid.wall = LateralBoundary::periodic;
+  scene.species = {{"glass", 0.005, density, 100}};
+  return scene;
+}
+
+RunResult run_of(const Scene& scene) {
+  const Folder folder;
+  RunOptions options;
+  options.directory = folder.path();
+  return run_scene(scene, options).result;
+}
+
+// The sphere is taken out at the bottom: the column is empty then, and the run goes on.
+TEST(EmptyColumn, WithPeriodicSidesEndsItsDrops) {
+  Scene scene = periodic_box(7800);
+  scene.species.front().count = 0;
+  scene.stages.front().kind = StageKind::drop;
+  scene.stages.front().species = "glass";
+  scene.stages.front().release_height = 0.04;
+  scene.stages.front().relaxation = 0.01;
+  scene.stages.front().duration = 1.0;
+  scene.stages.front().repetitions = 2;
+  const RunResult result = run_of(scene);
+  ASSERT_EQ(result.drops.size(), 2U);
+  EXPECT_GT(result.drops[0].bottom_time, 0.0);
+  EXPECT_EQ(result.drops[1].bottom_time, result.drops[0].bottom_time);
+}
+
+// Upside down, the forces are those of a bed with the opposite buoyant weight: it packs as that does, under the lid.
+TEST(FloatingBed, HangsUnderTheLid) {
+  Scene light = periodic_box(600.0), heavy = periodic_box(2.0 * 998.2 - 600.0);
+  light.stages.front().duration = heavy.stages.front().duration = 1.5;
+  const RunResult floats = run_of(light), sinks = run_of(heavy);
+  EXPECT_NEAR(floats.packed_voidage, sinks.packed_voidage, 0.03);
+  EXPECT_NEAR(floats.packed_height, 0.019, 0.001);
+}
+
 // --- settling without the liquid -------------------------------------------------------------------------------------
 
 // With a range of lubrication that would slow it down, and the floor within it.
@@ -185,13 +279,6 @@ TEST(DrySettling, ASphereFallsWithGravityAlone) {
   model.advance(simulation::Surroundings::resting_liquid);
   EXPECT_GT(model.particles().velocity.z[0], -gravitational_acceleration * (time + 0.9 * dt))
       << "the liquid has entered";
-}
-
-RunResult run_of(const Scene& scene) {
-  const Folder folder;
-  RunOptions options;
-  options.directory = folder.path();
-  return run_scene(scene, options).result;
 }
 
 // Spheres that fall onto the bed push it together; those that sink do not. Three beds of each kind.
@@ -235,6 +322,23 @@ std::string warnings_of(const Scene& scene) {
   run_of(scene);
   sinks.pop_back();
   return text.str();
+}
+
+// A sphere of radius r that strikes the floor at v presses it in by v √(m/k): half its radius here.
+TEST(DeepOverlap, IsToldWithItsPlaceAndTheStiffnessThatHelps) {
+  Scene scene = column(Arrangement::random);
+  scene.species.front().count = 1;
+  scene.contact.restitution = 1.0;
+  scene.stages.front().dry = true;
+  scene.stages.front().duration = 0.25;
+  const double start = dem::start_positions(scene).front().centre[2] - 0.0025;
+  ASSERT_GT(start, 0.05) << "the weight at rest must be small against the impact";
+  const double speed = std::sqrt(2.0 * gravitational_acceleration * start);
+  scene.contact.stiffness = scene.species.front().mass() * std::pow(speed / (0.5 * 0.0025), 2);
+  const std::string warning = warnings_of(scene);
+  EXPECT_NE(warning.find("sphere 0 overlaps the distributor by 0."), std::string::npos) << warning;
+  scene.contact.stiffness *= 10.0;
+  EXPECT_EQ(warnings_of(scene).find("overlaps"), std::string::npos) << warnings_of(scene);
 }
 
 TEST(Settling, WarnsOfABedThatStillMoves) {
