@@ -7,6 +7,7 @@
 #include <map>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
 #include <thread>
 #include <vector>
@@ -19,6 +20,7 @@
 #include "experiments/runs/run_estimate.hpp"
 #include "experiments/runs/run_files.hpp"
 #include "solver/coupling/drag_relaxation.hpp"
+#include "solver/dem/packing.hpp"
 #include "solver/laws/scene_file.hpp"
 #include "solver/laws/user_law.hpp"
 #include "solver/support/folders.hpp"
@@ -48,10 +50,22 @@ struct Options {
   bool json = false;
 };
 
+/// Top of the bed as the run would start it; nothing for a bed so large that placing it takes long [m].
+/// Throws SceneError if the spheres do not fit.
+std::optional<double> top_at_start(const Scene& scene, std::int64_t spheres) {
+  constexpr std::int64_t most = 10'000'000;
+  if (spheres == 0 || spheres > most) return std::nullopt;
+  double top = 0.0;
+  for (const dem::PlacedSphere& sphere : dem::start_positions(scene))
+    top = std::max(top, sphere.centre[2] + 0.5 * scene.species[static_cast<std::size_t>(sphere.species)].diameter);
+  return top;
+}
+
 json number_or_null(double value) { return std::isfinite(value) ? json(value) : json(nullptr); }
 
 int print_plan(const Options& options, const Scene& scene) {
   const RunEstimate estimate = estimate_run(scene);
+  const std::optional<double> top = top_at_start(scene, estimate.spheres);
   const std::string hash = scene_hash(scene);
   const auto result = result_file(options.out, hash);
   const bool exists = std::filesystem::exists(result);
@@ -78,7 +92,8 @@ int print_plan(const Options& options, const Scene& scene) {
   fmt::print("{}: the scene is valid\n", options.scene.string());
   if (!scene.title.empty()) line("title", scene.title);
   line("hash", hash);
-  line("spheres", fmt::format("{}", estimate.spheres));
+  line("spheres", fmt::format("{}", estimate.spheres) +
+                      (top ? fmt::format(", at the start up to {:.3g} m", *top) : std::string()));
   line("liquid cells", fmt::format("{}", estimate.liquid_cells));
   line("steps per contact", fmt::format("{:.1f} of {:.3g} s", estimate.steps_per_contact, scene.contact.time_step));
   line("bound of the step", fmt::format("{:.3g} s (1/ω_0 of the stiffest pair)", estimate.time_step_bound));
