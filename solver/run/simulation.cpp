@@ -127,14 +127,14 @@ void Simulation::warn_of_deep_overlaps() {
   const auto deepest = model_.take_deepest_contact();
   if (!deepest || deepest->share < 2.0 * warned_overlap_) return;
   warned_overlap_ = deepest->share;
-  const double ratio = deepest->share / dem::Engine::deep_overlap;
+  const double ratio = deepest->share / (0.5 * dem::Engine::deep_overlap);
   const std::string other = !deepest->at_wall      ? fmt::format("sphere {}", deepest->second)
                             : deepest->second == 0 ? "the distributor"
                                                    : "a side wall or the lid";
   spdlog::warn(
       "{}: {:.6g} s after the start of the run sphere {} overlaps {} by {:.2g} of the smaller radius, at "
-      "({:.3g}, {:.3g}, {:.3g}) m; above {:g} spheres do not act as spheres any more: contacts some {:.2g} times as "
-      "stiff, with contact.time_step as the check then asks, may help",
+      "({:.3g}, {:.3g}, {:.3g}) m; above {:g} spheres do not act as spheres any more; contacts some {:.2g} times as "
+      "stiff, with contact.time_step as the check then asks, would stay well below that",
       scene_.title, result_.simulated_seconds, deepest->first, other, deepest->share, deepest->place.x,
       deepest->place.y, deepest->place.z, dem::Engine::deep_overlap, ratio * ratio);
 }

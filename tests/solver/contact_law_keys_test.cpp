@@ -57,10 +57,11 @@ TEST(ContactLawKeys, AreThoseThatItsScenesHave) {
   for (const dem::ContactLawKernels& own : dem::contact_laws()) {
     const auto keys = keys_of_contact(canonical_toml(parse_scene(scene_with(own.info), "scene")));
     for (const dem::ContactLawKernels& law : dem::contact_laws())
-      for (const dem::ContactKey& key : law.info.keys)
-        if (!left_out_at_default(key))
-          EXPECT_EQ(keys.contains(std::string(key.name)), own.info.key(key.name) != nullptr)
-              << own.info.name << ": " << key.name;
+      for (const dem::ContactKey& key : law.info.keys) {
+        if (left_out_at_default(key)) continue;
+        EXPECT_EQ(keys.contains(std::string(key.name)), own.info.key(key.name) != nullptr)
+            << own.info.name << ": " << key.name;
+      }
     EXPECT_TRUE(keys.contains("sliding_friction")) << "a key of every law";
     EXPECT_NE(own.info.key(own.info.stiffness_key), nullptr) << own.info.name;
   }

@@ -659,7 +659,7 @@ TEST(SceneRules, WallsTakeTheKeysOfTheLaw) {
     return message_of([&] { parse_scene(valid_scene, "scene.toml", overrides); });
   };
   EXPECT_NE(blame({"wall.youngs_modulus=1e9"})
-                .find("wall.youngs_modulus = 1e9: has no meaning here; it belongs to law = "
+                .find("wall.youngs_modulus = 1000000000: has no meaning here; it belongs to law = "
                       "\"hertz\""),
             std::string::npos)
       << blame({"wall.youngs_modulus=1e9"});

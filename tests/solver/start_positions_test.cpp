@@ -199,10 +199,10 @@ TEST(StartPositions, AreFoundInNarrowTubes) {
   }
 }
 
-// On places for the largest of them all, 1000 small spheres would need a column ten times as high.
+// With a place for the largest of them each, they would need a column six times as high.
 TEST(StartPositions, SmallSpheresShareThePlaceOfALargeOne) {
   Scene scene = column(Arrangement::lattice);
-  scene.geometry.height = 0.06;
+  scene.geometry.height = 0.09;
   scene.species = {{"small", 0.0025, 2230, 1000}, {"large", 0.006, 2230, 20}};
   const auto spheres = dem::start_positions(scene);
   ASSERT_EQ(spheres.size(), 1020U);

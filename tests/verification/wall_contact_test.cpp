@@ -94,6 +94,7 @@ TEST(WallContact, RestsAtTheOverlapOfItsWeight) {
   Contact contact = contact_of("linear");
   contact.wall.stiffness = 2e3;
   contact.wall.restitution = 0.2;
+  contact.integrator = Integrator::velocity_verlet;
   contact.time_step = 1e-5;
   Engine engine = engine_with(contact, {floor_at_zero}, {{{0, 0, radius}, {}, {}, radius, density}});
   engine.external_force.z[0] = -mass * gravitational_acceleration;
