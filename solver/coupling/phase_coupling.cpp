@@ -135,6 +135,8 @@ void PhaseCoupling::read_at_spheres(const dem::Engine& engine, double time_step)
     const std::size_t count = end - begin;
     // One indirect call per block of spheres; the law itself is inlined in the loop over them.
     law_(&voidage_[begin], &reynolds_[begin], &coefficient_[begin], count);
+    if (scene_.coupling.drag_times_voidage)  // Equation (20) as printed
+      for (std::size_t i = begin; i < end; ++i) coefficient_[i] *= voidage_[i];
     for (std::size_t i = begin; i < end; ++i) {
       const std::array<double, 8>& value = values[i - begin];
       const double volume = volume_[i], per_inertia = time_step / particles.inertial_mass(i);
@@ -229,6 +231,8 @@ double PhaseCoupling::update_coefficient(const dem::Engine& engine, double time_
     reynolds_[i] = density * 2.0 * particles.radius[i] * voidage_[i] * std::sqrt(squared) / coefficient_[i] / viscosity;
   }
   law_(voidage_.data(), reynolds_.data(), next_coefficient_.data(), voidage_.size());
+  if (scene_.coupling.drag_times_voidage)
+    for (std::size_t i = 0; i < particles.size(); ++i) next_coefficient_[i] *= voidage_[i];
   double change = 0.0;
   for (std::size_t i = 0; i < particles.size(); ++i) {
     const double coefficient =

@@ -58,6 +58,11 @@ class Liquid {
   [[nodiscard]] virtual bool two_way() const = 0;
   [[nodiscard]] virtual const ColumnGrid& grid() const = 0;
 
+  /// Superficial velocity of the liquid that enters from the next step on [m/s]; at first it is that of the scene's
+  /// first stage after settling. The
+  /// state() has only a change that no step has seen yet.
+  virtual void set_superficial_velocity(double velocity) = 0;
+
   /// One step of `time_step` [s], from liquid volumes `before` to `now` (per cell [m³]).
   /// \throws FluidError if a cell holds no liquid, if an equation does not converge, or if a value is not finite
   virtual void advance(double time_step, const std::vector<double>& before, const std::vector<double>& now,

@@ -61,9 +61,16 @@ MomentumEquations::MomentumEquations(const ColumnGrid& grid, const Scene& scene,
     for (auto& end : c.end) end.assign(as_index(c.sections), 0.0);
   }
   Component& c = component[vertical];
-  std::fill(c.end[0].begin(), c.end[0].end(), scene.liquid.superficial_velocity);
+  const double inlet = scene.first_superficial_velocity();
+  std::fill(c.end[0].begin(), c.end[0].end(), inlet);
   for (int s = 0; s < c.sections; ++s)
-    for (int k = c.first; k <= c.last; ++k) c.velocity[index_of(s, k, c.levels)] = scene.liquid.superficial_velocity;
+    for (int k = c.first; k <= c.last; ++k) c.velocity[index_of(s, k, c.levels)] = inlet;
+}
+
+void MomentumEquations::set_inlet_velocity(double velocity) {
+  Component& c = component[vertical];
+  c.inlet_before = c.end[0];
+  std::fill(c.end[0].begin(), c.end[0].end(), velocity);
 }
 
 /// Liquid volumes on the nodes, inertia and old momentum, ∂V_L/∂t, the inlet's velocity, and the velocity that the
@@ -318,6 +325,8 @@ void MomentumEquations::add_state(NamedFields& state) const {
   }
   state["earlier_volume"] = earlier_volume_;
   state["last_volume"] = last_volume_;
+  // A change of the inlet that no step has seen yet.
+  if (const auto& inlet = component[vertical].inlet_before; !inlet.empty()) state["inlet_before"] = inlet;
 }
 
 void MomentumEquations::restore(const NamedFields& state) {
@@ -329,6 +338,8 @@ void MomentumEquations::restore(const NamedFields& state) {
   earlier_volume_ = field_of(state, "earlier_volume");
   last_volume_ = field_of(state, "last_volume");
   nodes_hold_last_volume_ = false;
+  component[vertical].inlet_before =
+      state.contains("inlet_before") ? field_of(state, "inlet_before") : std::vector<double>{};
 }
 
 }  // namespace slfb::fluid

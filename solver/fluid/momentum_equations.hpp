@@ -37,6 +37,7 @@ class MomentumEquations {
     std::vector<double> velocity, previous, earlier;                ///< now, one and two steps ago [m/s]
     std::vector<double> pressure_gradient;                          ///< ∂p/∂x_a of the dynamic pressure [Pa/m]
     std::vector<double> viscous;                                    ///< ∇·τ [N/m³]
+    std::vector<double> inlet_before;         ///< velocity given at z = 0 before a change of it, else empty [m/s]
     std::vector<double> flow;                 ///< of liquid volume through the node's face [m³/s]
     std::array<std::vector<double>, 3> flux;  ///< the same through the links towards +x and +y and from below [m³/s]
     /// The momentum equations: weights of the neighbours towards −x, +x, −y, +y, −z, +z [kg/s].
@@ -55,6 +56,9 @@ class MomentumEquations {
   /// In first order the projection convects with the flow of the step's start, whose continuity is settled: momentum is
   /// then conserved. Iterations and extrapolated velocities bring flows of their own.
   [[nodiscard]] bool settled_flow() const { return settled_flow_; }
+
+  /// Velocity α w of the liquid that enters over the whole section from the next step on [m/s].
+  void set_inlet_velocity(double velocity);
 
   /// Starts a step from liquid volumes `before` to `now` per cell [m³]. In second order the time step stays the same;
   /// where `before` is not the last step's `now` (a sphere was put in), the scheme starts anew with Euler.

@@ -36,6 +36,9 @@ class Model {
   /// fluid::FluidError if the motion or the liquid breaks down.
   std::int64_t advance(Surroundings surroundings);
 
+  /// Superficial velocity of the liquid from the next step on [m/s].
+  void set_superficial_velocity(double velocity) { liquid_->set_superficial_velocity(velocity); }
+
   /// Whether a sphere of `species` has room with its centre on the axis at `height` [m].
   [[nodiscard]] bool has_room(const Species& species, double height) const;
   /// Puts the dropped sphere in, at rest, there.

@@ -36,6 +36,7 @@ class Simulation {
   void resume();
   /// False if the run was stopped from outside.
   bool run_stage();
+  void set_superficial_velocity();
   void advance();
   void advance_drop();
   void release_if_free();
@@ -53,6 +54,7 @@ class Simulation {
   CheckpointFiles checkpoints_;
   ProgressReporter progress_;
   RunCost cost_;
+  double superficial_velocity_;  ///< that the liquid has been given [m/s]
   std::chrono::steady_clock::time_point last_save_ = std::chrono::steady_clock::now();
 };
 
@@ -66,7 +68,8 @@ Simulation::Simulation(const Scene& scene, const RunOptions& options)
       recorder_(scene, model_, schedule_, options.directory, result_),
       checkpoints_(options.directory, result_.name),
       progress_(options.progress, options.progress_interval),
-      cost_(options.threads) {}
+      cost_(options.threads),
+      superficial_velocity_(scene.first_superficial_velocity()) {}
 
 RunOutcome Simulation::run() {
   std::filesystem::create_directories(options_.directory);
@@ -86,6 +89,7 @@ RunOutcome Simulation::run() {
 
 bool Simulation::run_stage() {
   const bool drop = schedule_.stage().kind == StageKind::drop;
+  if (schedule_.steps() == 0) set_superficial_velocity();
   if (drop && schedule_.steps() == 0) {
     drops_.begin();
     release_if_free();
@@ -99,6 +103,15 @@ bool Simulation::run_stage() {
     if (stopped) return false;
   }
   return true;
+}
+
+/// To that of the present stage, where it differs from that of the stage before.
+void Simulation::set_superficial_velocity() {
+  if (schedule_.stage().kind == StageKind::settle) return;
+  const double velocity = scene_.superficial_velocity(schedule_.stage());
+  if (velocity == superficial_velocity_) return;
+  superficial_velocity_ = velocity;
+  model_.set_superficial_velocity(velocity);
 }
 
 /// One liquid step, and what is recorded of it.
@@ -150,6 +163,8 @@ void Simulation::release_if_free() {
 
 void Simulation::exchange(io::StateGroup& state) {
   state.part("schedule", [&](io::StateGroup& group) { schedule_.exchange(group); });
+  // What follows is read by a liquid that already has the velocity of its stage.
+  if (state.reading() && !schedule_.finished()) set_superficial_velocity();
   state.part("drops", [&](io::StateGroup& group) { drops_.exchange(group); });
   model_.exchange(state);
   recorder_.exchange(state);

@@ -99,6 +99,7 @@ struct Contact {
 
 struct Coupling {
   std::string drag_law = "gidaspow-1994";
+  bool drag_times_voidage = false;  ///< the drag of the law is multiplied by α once more (Peng 2014, Eq. 20 as printed)
   VoidFractionScheme void_fraction = VoidFractionScheme::exact_overlap;
   int meshing_pieces = 1214;            ///< particle meshing: pieces per sphere
   double void_fraction_interval = 0.0;  ///< between computations of the void fraction [s]; 0: in every liquid step
@@ -122,6 +123,8 @@ struct Stage {
   StageKind kind = StageKind::settle;
   double duration = 0.0;  ///< [s]; for a drop: the longest wait for one sphere to arrive
   bool dry = false;       ///< settle only: without the liquid, which enters at rest at the end of the stage
+  /// Fluidise only: U_L of a stage that another fluidise stage follows [m/s]; 0: that of the liquid.
+  double superficial_velocity = 0.0;
   // drop only
   std::string species;          ///< the species released
   int repetitions = 1;          ///< spheres released one after the other
@@ -151,6 +154,17 @@ struct Scene {
   std::vector<Stage> stages;
   Recording recording;
   std::uint64_t seed = 1;
+
+  /// U_L in a stage that is not settling, upwards [m/s].
+  [[nodiscard]] double superficial_velocity(const Stage& stage) const {
+    return stage.superficial_velocity > 0.0 ? stage.superficial_velocity : liquid.superficial_velocity;
+  }
+  /// U_L at the start of the first such stage [m/s].
+  [[nodiscard]] double first_superficial_velocity() const {
+    for (const Stage& stage : stages)
+      if (stage.kind != StageKind::settle) return superficial_velocity(stage);
+    return liquid.superficial_velocity;
+  }
 };
 
 /// Raised by hand when a change of the solver changes results by more than round-off; part of each run's name.

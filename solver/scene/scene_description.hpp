@@ -179,6 +179,8 @@ void describe(Visitor& visitor, Scene& scene, const SceneLaws& laws) {
   visitor.section("coupling", [&] {
     auto& coupling = scene.coupling;
     visitor.law("drag_law", coupling.drag_law, optional);
+    visitor.boolean("drag_times_voidage", coupling.drag_times_voidage,
+                    left_out_if_default(coupling.drag_times_voidage, false));
     visitor.choice("void_fraction", coupling.void_fraction, void_fractions, optional);
     visitor.integer("meshing_pieces", coupling.meshing_pieces, one_to_a_million, optional);
     visitor.number("void_fraction_interval", coupling.void_fraction_interval, u::time, not_negative, optional);
@@ -217,6 +219,9 @@ void describe(Visitor& visitor, Scene& scene, const SceneLaws& laws) {
     visitor.boolean("dry", stage.dry,
                     left_out_if_default(stage.dry, Stage{}.dry, stage.kind == StageKind::settle,
                                         "it belongs to kind = \"settle\""));
+    visitor.number("superficial_velocity", stage.superficial_velocity, u::velocity, not_negative,
+                   left_out_if_default(stage.superficial_velocity, 0.0, stage.kind == StageKind::fluidise,
+                                       "it belongs to kind = \"fluidise\""));
     visitor.text("species", stage.species, required_if(drop, drop_only));
     visitor.integer("repetitions", stage.repetitions, one_to_a_million, optional_if(drop, drop_only));
     visitor.number("release_height", stage.release_height, u::length, positive, required_if(drop, drop_only));
