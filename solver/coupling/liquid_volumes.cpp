@@ -28,6 +28,7 @@ LiquidVolumes::LiquidVolumes(const Scene& scene, const fluid::Liquid& liquid)
       grid_(liquid.grid()),
       two_way_(liquid.two_way()),
       shares_(make_shares(scene, liquid)),
+      lone_(grid_, two_way_ && scene.coupling.own_volume == OwnVolume::spread_where_alone),
       smoothing_(grid_, two_way_ ? scene.coupling.smoothing_length : 0.0) {}
 
 void LiquidVolumes::start_anew() {
@@ -39,6 +40,14 @@ int LiquidVolumes::steps_per_interval() const {
   return static_cast<int>(std::max(1L, std::lround(scene_.coupling.void_fraction_interval / scene_.fluid.time_step)));
 }
 
+/// Shares of the spheres, what they fill of each cell, and who is alone.
+void LiquidVolumes::find_shares(const dem::VectorField& centres, const std::vector<double>& radii,
+                                const std::vector<double>& sphere_volume, int threads) {
+  shares_.update(centres, radii, threads);
+  shares_.scatter<1>({&sphere_volume}, {&solid_}, threads);
+  lone_.update(centres.z, radii, shares_, sphere_volume, solid_);
+}
+
 /// The liquid at the end of an interval, from where the spheres will then be; after a sphere has been put in or taken
 /// out an interval of a single step, which displaces nothing.
 void LiquidVolumes::start_interval(const dem::Engine& engine, double time_step,
@@ -47,7 +56,7 @@ void LiquidVolumes::start_interval(const dem::Engine& engine, double time_step,
   steps_done_ = 0;
   steps_ = before_.empty() ? 1 : steps_per_interval();
   if (steps_per_interval() == 1) {
-    shares_.update(particles, engine.threads());
+    find_shares(particles.position, particles.radius, sphere_volume, engine.threads());
   } else {
     const double ahead = (steps_ - 1) * time_step;
     centres_ = particles.position;
@@ -56,10 +65,10 @@ void LiquidVolumes::start_interval(const dem::Engine& engine, double time_step,
       centres_.y[i] += ahead * particles.velocity.y[i];
       centres_.z[i] += ahead * particles.velocity.z[i];
     }
-    shares_.update(centres_, particles.radius, engine.threads());
+    find_shares(centres_, particles.radius, sphere_volume, engine.threads());
   }
   // Equation (29): V_L = V_cell − Σ φ_i V_i
-  shares_.scatter<1>({&sphere_volume}, {&solid_}, engine.threads());
+  lone_.spread(sphere_volume, shares_, solid_);
   smoothing_.scatter(solid_, engine.threads());
   at_end_.resize(grid_.size());
   const auto layers = static_cast<std::size_t>(grid_.layers());
@@ -130,7 +139,9 @@ void LiquidVolumes::restore(const NamedFields& state, const std::vector<double>&
   at_end_ = field_of(state, "interval/liquid_at_end", cells);
   centres_ = {field_of(state, "interval/centre_x", spheres), field_of(state, "interval/centre_y", spheres),
               field_of(state, "interval/centre_z", spheres)};
-  shares_.update(centres_, radius, 1);
+  std::vector<double> sphere_volume;
+  for (const double r : radius) sphere_volume.push_back(dem::Particles::volume_of(r));
+  find_shares(centres_, radius, sphere_volume, 1);
 }
 
 }  // namespace slfb::coupling

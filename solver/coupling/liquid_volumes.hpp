@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "solver/coupling/diffusion_smoothing.hpp"
+#include "solver/coupling/lone_spheres.hpp"
 #include "solver/coupling/volume_shares.hpp"
 #include "solver/dem/engine.hpp"
 #include "solver/fluid/liquid.hpp"
@@ -36,6 +37,7 @@ class LiquidVolumes {
   [[nodiscard]] const std::vector<double>& voidage() const { return voidage_; }
 
   [[nodiscard]] const VolumeShares& shares() const { return shares_; }
+  [[nodiscard]] const LoneSpheres& lone() const { return lone_; }
   [[nodiscard]] DiffusionSmoothing& smoothing() { return smoothing_; }
 
   /// liquid_volume per cell [m³]; of an interval that is under way interval/steps (all, done), interval/liquid_at_start
@@ -45,6 +47,8 @@ class LiquidVolumes {
   void restore(const NamedFields& state, const std::vector<double>& radius);
 
  private:
+  void find_shares(const dem::VectorField& centres, const std::vector<double>& radii,
+                   const std::vector<double>& sphere_volume, int threads);
   void start_interval(const dem::Engine& engine, double time_step, const std::vector<double>& sphere_volume);
   [[nodiscard]] int steps_per_interval() const;
 
@@ -52,6 +56,7 @@ class LiquidVolumes {
   const fluid::ColumnGrid& grid_;
   bool two_way_;
   VolumeShares shares_;
+  LoneSpheres lone_;
   DiffusionSmoothing smoothing_;
   std::vector<double> before_, now_, voidage_, solid_;
   // The present interval: its steps, those done, the liquid at both ends, the spheres' centres at its end.

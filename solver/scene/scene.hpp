@@ -19,6 +19,7 @@ enum class TimeScheme { euler, second_order };
 enum class VoidFractionScheme { centroid, particle_meshing, exact_overlap };
 enum class MomentumExchange { explicit_in_time, semi_implicit, implicit };
 enum class Interpolation { shares, gradient, trilinear };
+enum class OwnVolume { counted, spread_where_alone };
 enum class PressureVelocity { projection, simple };
 enum class OutletRule { lid, remove };
 enum class StageKind { settle, fluidise, drop };
@@ -112,6 +113,8 @@ struct Coupling {
   double lubrication_range = 0.0;       ///< gap below which squeezed liquid resists approach [m]; 0: none
   double lubrication_roughness = 5e-6;  ///< gap below which it does not grow any more [m]
   bool disturbance_correction = false;  ///< a sphere's own disturbance of voidage and velocity taken out
+  /// Whether a sphere without neighbours reads its own volume and forces (coupling::LoneSpheres).
+  OwnVolume own_volume = OwnVolume::spread_where_alone;
   double smoothing_length = 0.0;  ///< bandwidth b of the Gaussian exp(−|x|²/b²) that spreads the shares [m]; 0: none
 };
 

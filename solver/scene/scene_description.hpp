@@ -57,6 +57,11 @@ Presence left_out_if_default(const Value& value, const Value& default_value, boo
   return condition ? left_out_if_default(value, default_value) : optional_if(false, reason);
 }
 
+/// Optional, and not part of the hash while it has the only value that there was when runs were named by their hashes.
+inline Presence left_out_of_name_if(bool only_value_then) {
+  return {Presence::Rule::optional, {}, false, only_value_then};
+}
+
 template <class Enum>
 struct Choice {
   std::string_view word;
@@ -93,6 +98,8 @@ inline constexpr std::array exchanges{Choice{"explicit", MomentumExchange::expli
 inline constexpr std::array interpolations{Choice{"shares", Interpolation::shares},
                                            Choice{"gradient", Interpolation::gradient},
                                            Choice{"trilinear", Interpolation::trilinear}};
+inline constexpr std::array own_volumes{Choice{"counted", OwnVolume::counted},
+                                        Choice{"spread-where-alone", OwnVolume::spread_where_alone}};
 inline constexpr std::array outlet_rules{Choice{"lid", OutletRule::lid}, Choice{"remove", OutletRule::remove}};
 inline constexpr std::array arrangements{Choice{"lattice", Arrangement::lattice}, Choice{"random", Arrangement::random},
                                          Choice{"random-close", Arrangement::random_close}};
@@ -193,6 +200,8 @@ void describe(Visitor& visitor, Scene& scene, const SceneLaws& laws) {
     visitor.number("lubrication_range", coupling.lubrication_range, u::length, not_negative, optional);
     visitor.number("lubrication_roughness", coupling.lubrication_roughness, u::length, positive, optional);
     visitor.boolean("disturbance_correction", coupling.disturbance_correction, optional);
+    visitor.choice("own_volume", coupling.own_volume, own_volumes,
+                   left_out_of_name_if(coupling.own_volume == OwnVolume::counted));
     visitor.number("smoothing_length", coupling.smoothing_length, u::length, not_negative, optional);
   });
   visitor.section("outlet", [&] { visitor.choice("particles", scene.outlet.rule, outlet_rules, optional); });
