@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "solver/coupling/void_fraction/single_cell.hpp"
 
@@ -32,7 +33,7 @@ LiquidVolumes::LiquidVolumes(const Scene& scene, const fluid::Liquid& liquid)
       smoothing_(grid_, two_way_ ? scene.coupling.smoothing_length : 0.0) {}
 
 void LiquidVolumes::start_anew() {
-  before_.clear();
+  anew_ = true;
   steps_done_ = steps_;
 }
 
@@ -54,7 +55,7 @@ void LiquidVolumes::start_interval(const dem::Engine& engine, double time_step,
                                    const std::vector<double>& sphere_volume) {
   const dem::Particles& particles = engine.particles;
   steps_done_ = 0;
-  steps_ = before_.empty() ? 1 : steps_per_interval();
+  steps_ = anew_ ? 1 : steps_per_interval();
   if (steps_per_interval() == 1) {
     find_shares(particles.position, particles.radius, sphere_volume, engine.threads());
   } else {
@@ -111,12 +112,12 @@ bool LiquidVolumes::start_step(const dem::Engine& engine, double time_step, cons
     for (std::size_t k = 0; k < layers; ++k) voidage[k] = liquid[k] / volume;
   }
   smoothing_.gather(voidage_, engine.threads());
-  if (before_.empty()) before_ = now_;
+  if (std::exchange(anew_, false)) before_ = now_;
   return new_shares;
 }
 
 NamedFields LiquidVolumes::state() const {
-  NamedFields state{{"liquid_volume", before_}};
+  NamedFields state{{"liquid_volume", anew_ ? std::vector<double>{} : before_}};
   if (centres_.x.empty() || steps_done_ >= steps_) return state;
   state["interval/steps"] = {static_cast<double>(steps_), static_cast<double>(steps_done_)};
   state["interval/liquid_at_start"] = at_start_;
@@ -130,7 +131,8 @@ NamedFields LiquidVolumes::state() const {
 void LiquidVolumes::restore(const NamedFields& state, const std::vector<double>& radius) {
   before_ = field_of(state, "liquid_volume");
   const std::size_t cells = grid_.size(), spheres = radius.size();
-  if (!before_.empty()) before_ = field_of(state, "liquid_volume", cells);
+  anew_ = before_.empty();
+  if (!anew_) before_ = field_of(state, "liquid_volume", cells);
   if (!state.contains("interval/steps")) return;
   const auto& steps = field_of(state, "interval/steps", 2);
   steps_ = static_cast<int>(steps[0]);

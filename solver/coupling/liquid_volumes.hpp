@@ -27,7 +27,8 @@ class LiquidVolumes {
   bool start_step(const dem::Engine& engine, double time_step, const std::vector<double>& sphere_volume);
   /// The end of the step becomes the start of the next.
   void end_step() { before_.swap(now_); }
-  /// A sphere has been put in or taken out: the next step sees no liquid displaced by that.
+  /// A sphere has been put in or taken out: the next step sees no liquid displaced by that. Until then before() is that
+  /// of the last step.
   void start_anew();
 
   /// Liquid per cell at the start and at the end of the step [m³]; empty before the first step and in one-way coupling.
@@ -59,6 +60,7 @@ class LiquidVolumes {
   LoneSpheres lone_;
   DiffusionSmoothing smoothing_;
   std::vector<double> before_, now_, voidage_, solid_;
+  bool anew_ = true;  ///< the next step starts with the liquid that it ends with
   // The present interval: its steps, those done, the liquid at both ends, the spheres' centres at its end.
   int steps_ = 1, steps_done_ = 0;
   std::vector<double> at_start_, at_end_;

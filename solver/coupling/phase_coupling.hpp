@@ -55,6 +55,11 @@ class PhaseCoupling {
   /// Drag that left the liquid over the last step, from its own momentum nodes [N]; 0 in one-way coupling.
   [[nodiscard]] double drag_taken_from_liquid(std::size_t a) const { return liquid_.taken_by(exchange_, a); }
 
+  /// Momentum of the spheres' added mass that the liquid gets in the next step, along axis a [kg m/s].
+  [[nodiscard]] double momentum_on_its_way(const dem::Particles& particles, std::size_t a) const {
+    return beyond_drag_.any() ? beyond_drag_.momentum_on_its_way(particles, a) : 0.0;
+  }
+
   /// Void fraction per cell after the last advance [-]; empty in one-way coupling.
   [[nodiscard]] std::vector<double> void_fraction() const;
   /// Liquid velocity per cell after the last advance [m/s].

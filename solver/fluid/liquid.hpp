@@ -3,6 +3,7 @@
 #include <array>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <stdexcept>
 #include <vector>
 
@@ -33,6 +34,9 @@ struct VerticalForces {
   double stress = 0.0;    ///< Σ V (∇·τ)_z, the same
   double inflow = 0.0;    ///< momentum that came in through the inlet per time
   double outflow = 0.0;   ///< and went out through the outlet
+  /// ∂(Σ ρ V_L w)/∂t where the time scheme forms it from more than the two ends of the step; else none, it is the
+  /// change of vertical_momentum() over the step.
+  std::optional<double> momentum_rate;
 };
 
 /// Wall time spent on the liquid since it was made [s], and the iterations of its pressure equation [-].

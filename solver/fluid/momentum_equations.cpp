@@ -83,6 +83,7 @@ void MomentumEquations::start_step(double time_step, const std::vector<double>& 
   // ∂f/∂t at the end of the step = at_now f^(n+1) − at_before f^n + at_earlier f^(n−1).
   const double at_now = (second_order ? 1.5 : 1.0) / time_step, at_before = (second_order ? 2.0 : 1.0) / time_step,
                at_earlier = 0.5 / time_step;
+  per_step_ = at_now;
   // Equation (26): ∂V_L/∂t of each cell
 #pragma omp parallel for num_threads(threads_) schedule(static)
   for (std::size_t i = 0; i < volume_change_.size(); ++i) {
@@ -316,6 +317,17 @@ void MomentumEquations::assemble_column(const Exchange& exchange) {
 }
 
 void MomentumEquations::finish_column() { finish_viscous(vertical, {0, 1}); }
+
+double MomentumEquations::vertical_momentum_rate() const {
+  const Component& c = component[vertical];
+  double rate = 0.0;
+  for (int s = 0; s < c.sections; ++s)
+    for (int k = c.first; k <= c.last; ++k) {
+      const std::size_t n = index_of(s, k, c.levels);
+      rate += density_ * per_step_ * c.liquid_now[n] * c.velocity[n] - c.old_inertia[n] * c.previous[n];
+    }
+  return rate;
+}
 
 void MomentumEquations::add_state(NamedFields& state) const {
   for (const Component& c : component) {

@@ -53,9 +53,12 @@ class MomentumEquations {
 
   /// ∂V_L/∂t per cell in the present step [m³/s].
   [[nodiscard]] const std::vector<double>& volume_change() const { return volume_change_; }
+  /// Σ over the vertical nodes of ∂(ρ V_L w)/∂t, as the time scheme forms it [N]; after the solution.
+  [[nodiscard]] double vertical_momentum_rate() const;
   /// In first order the projection convects with the flow of the step's start, whose continuity is settled: momentum is
   /// then conserved. Iterations and extrapolated velocities bring flows of their own.
   [[nodiscard]] bool settled_flow() const { return settled_flow_; }
+  [[nodiscard]] bool of_second_order() const { return time_scheme_ == TimeScheme::second_order; }
 
   /// Velocity α w of the liquid that enters over the whole section from the next step on [m/s].
   void set_inlet_velocity(double velocity);
@@ -125,6 +128,7 @@ class MomentumEquations {
   bool closed_;
   int threads_;
   bool settled_flow_;
+  double per_step_ = 0.0;                ///< factor of the new momentum in ∂/∂t [1/s]
   std::vector<double> volume_change_;    ///< ∂V_L/∂t per cell [m³/s]
   std::vector<double> dilatation_;       ///< ∇·u per cell [1/s]
   std::vector<double> earlier_volume_;   ///< second order: liquid at the start of the last step [m³]

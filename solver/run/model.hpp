@@ -46,6 +46,8 @@ class Model {
   /// Index of the dropped sphere, if it is in the column.
   [[nodiscard]] std::optional<std::size_t> dropped() const { return dropped_; }
   [[nodiscard]] bool dropped_sphere_at_bottom() const;
+  /// Whether its centre is above the column's height.
+  [[nodiscard]] bool dropped_sphere_above_top() const;
   void take_out_dropped();
   /// Takes out all spheres of the bed above the column's height; returns how many.
   std::int64_t remove_above_top();
@@ -58,7 +60,7 @@ class Model {
   [[nodiscard]] coupling::PhaseCoupling& coupling() { return *flowing_; }
   [[nodiscard]] const coupling::PhaseCoupling& coupling() const { return *flowing_; }
 
-  /// Σ m v_z of the spheres [kg m/s].
+  /// Σ m v_z of the spheres, with what their added mass has on its way to the liquid [kg m/s].
   [[nodiscard]] double sphere_momentum() const;
 
   /// Everything that the next step depends on.

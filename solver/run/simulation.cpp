@@ -8,6 +8,7 @@
 #include <stdexcept>
 
 #include "solver/coupling/drag_relaxation.hpp"
+#include "solver/coupling/force_balance.hpp"
 #include "solver/laws/user_law.hpp"
 #include "solver/run/checkpoint_files.hpp"
 #include "solver/run/drop_protocol.hpp"
@@ -38,6 +39,7 @@ class Simulation {
   bool run_stage();
   void set_superficial_velocity();
   void advance();
+  void take_out(std::int64_t removed);
   void advance_drop();
   void release_if_free();
   void save();
@@ -73,6 +75,8 @@ Simulation::Simulation(const Scene& scene, const RunOptions& options)
 
 RunOutcome Simulation::run() {
   std::filesystem::create_directories(options_.directory);
+  if (const auto reason = coupling::imbalance_of_forces(scene_); !reason.empty())
+    spdlog::warn("{}: {}", scene_.title, reason);
   model_.fill();
   resume();
   try {
@@ -123,21 +127,30 @@ void Simulation::advance() {
   schedule_.count_step();
   if (kind == StageKind::settle) return;
   recorder_.end_step();
-  if (scene_.outlet.rule == OutletRule::remove) {
-    const std::int64_t removed = model_.remove_above_top();
-    if (removed > 0) recorder_.spheres_changed();
-    result_.particles_removed += removed;
-  }
   recorder_.record();
   if (kind == StageKind::drop) advance_drop();
+  if (scene_.outlet.rule == OutletRule::remove) take_out(model_.remove_above_top());
+}
+
+/// Counts spheres that have left through the outlet.
+void Simulation::take_out(std::int64_t removed) {
+  if (removed > 0) recorder_.spheres_changed();
+  result_.particles_removed += removed;
 }
 
 void Simulation::advance_drop() {
   drops_.count_step();
   if (drops_.falling()) {
-    const bool at_bottom = model_.dropped_sphere_at_bottom(), over = at_bottom || drops_.fall_is_over();
+    const bool at_bottom = model_.dropped_sphere_at_bottom(),
+               gone = scene_.outlet.rule == OutletRule::remove && model_.dropped_sphere_above_top(),
+               over = at_bottom || gone || drops_.fall_is_over();
     recorder_.record_drop(drops_, at_bottom, over);
     if (!over) return;
+    if (gone) {
+      spdlog::warn("{}: the {} sphere has left through the outlet {:.3f} s after its release", scene_.title,
+                   schedule_.stage().species, drops_.fall_seconds());
+      take_out(1);
+    }
     model_.take_out_dropped();
     drops_.taken_out();
     recorder_.spheres_changed();

@@ -232,6 +232,44 @@ TEST(Simulation, ExcessiveFlowCarriesSpheresOutAndCountsThem) {
   EXPECT_EQ(result.particles_removed, 250);
 }
 
+// Spheres leave in steps of snapshots, and in the last step of the stage: both still show the void fraction.
+TEST(Simulation, RecordsTheLiquidWhileSpheresLeave) {
+  Scene scene = small_bed(1.0);
+  scene.outlet.rule = OutletRule::remove;
+  scene.stages.resize(2);
+  scene.stages[1].duration = 0.3;
+  scene.recording.snapshot_interval = scene.fluid.time_step;
+  const RunResult result = run(scene, "leaving", 1);
+  EXPECT_GT(result.particles_removed, 0);
+  const auto cells = result.plane.x.size() * result.plane.z.size();
+  EXPECT_GT(cells, 0u);
+  EXPECT_EQ(result.plane.voidage.size(), cells);
+}
+
+// A light sphere is carried out of the column: it is taken out there and counted, and the next one is released.
+TEST(Simulation, ADroppedSphereLeavesThroughTheOutlet) {
+  for (const FluidTier tier : {FluidTier::quiescent, FluidTier::one_dimensional, FluidTier::three_dimensional}) {
+    Scene scene = small_bed(0.3);
+    scene.fluid.tier = tier;
+    scene.outlet.rule = OutletRule::remove;
+    scene.species = {{"light", 0.003, 1100, 0}};
+    scene.stages = {scene.stages[1], scene.stages[2]};
+    scene.stages[0].duration = 0.1;
+    scene.stages[1].species = "light";
+    scene.stages[1].release_height = 0.15;
+    scene.stages[1].duration = 3.0;
+    const RunResult result = run(scene, "light", 1);
+    EXPECT_EQ(result.particles_removed, 2);
+    ASSERT_EQ(result.drops.size(), 2u);
+    for (const DropSeries& drop : result.drops) {
+      ASSERT_FALSE(drop.z.empty());
+      EXPECT_GE(drop.z.back(), 0.99 * scene.geometry.height);
+      EXPECT_LT(*std::max_element(drop.z.begin(), drop.z.end()), scene.geometry.height + 0.3 * 1e-3);
+      EXPECT_LT(drop.bottom_time, 0.0);
+    }
+  }
+}
+
 TEST(Simulation, SavesItsStateWhenItBreaksDown) {
   Scene scene = small_bed(0.08);
   scene.contact.time_step = 1e-3;  // far above the bound: the packing explodes
