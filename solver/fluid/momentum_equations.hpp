@@ -62,6 +62,13 @@ class MomentumEquations {
 
   /// Velocity α w of the liquid that enters over the whole section from the next step on [m/s].
   void set_inlet_velocity(double velocity);
+  /// The same for the flow that brings momentum in: where the flow is that of the step's start, from before a change.
+  [[nodiscard]] const std::vector<double>& convected_inlet() const {
+    const Component& c = component[vertical];
+    return settled_flow_ && !c.inlet_before.empty() ? c.inlet_before : c.end[0];
+  }
+  /// The step is over: the liquid has entered with its present velocity.
+  void end_step() { component[vertical].inlet_before.clear(); }
 
   /// Starts a step from liquid volumes `before` to `now` per cell [m³]. In second order the time step stays the same;
   /// where `before` is not the last step's `now` (a sphere was put in), the scheme starts anew with Euler.

@@ -16,10 +16,8 @@ void MomentumEquations::start_flows() {
     const int levels = c.levels;
 #pragma omp simd
     for (int k = 0; k < levels; ++k) flow[k] = volume[k] > 0.0 ? liquid[k] / volume[k] * area * velocity[k] : 0.0;
-    const std::vector<double>& inlet = c.inlet_before.empty() ? c.end[0] : c.inlet_before;
-    if (a == vertical) flow[0] = inlet[as_index(s)] * area;
+    if (a == vertical) flow[0] = convected_inlet()[as_index(s)] * area;
   });
-  component[vertical].inlet_before.clear();
 }
 
 /// Volume flow of liquid α u A through every cell face, on the nodes.
