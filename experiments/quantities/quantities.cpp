@@ -13,11 +13,14 @@ namespace {
 
 constexpr bool depends_on_stiffness = true;
 
-/// The bed before anything is dropped: samples from the start of fluidisation to the first release.
+/// The bed before anything is dropped: samples from the start of fluidisation, or from the last change of the liquid's
+/// velocity, to the first release.
 std::vector<double> undisturbed(const BedSeries& bed, const std::vector<double>& history) {
   std::vector<double> values;
   for (std::size_t i = 0; i < bed.time.size(); ++i) {
     if (bed.foreign_present[i] > 0.5) break;
+    const bool recorded = i > 0 && i < bed.superficial_velocity.size();
+    if (recorded && bed.superficial_velocity[i] != bed.superficial_velocity[i - 1]) values.clear();
     if (bed.time[i] >= 0.0) values.push_back(history[i]);
   }
   return values;

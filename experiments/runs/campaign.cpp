@@ -35,7 +35,7 @@ std::optional<FinishedRun> published_run(const RunSpec& spec, const Scene& scene
   }
   run.stale = run.result.numerics != numerics_version || run.result.name != scene_hash(scene);
   // An older result is analysed with the scene it was made from.
-  if (run.stale) run.scene = parse_scene(run.result.scene_text, file.string());
+  if (run.stale) run.scene = parse_archived_scene(run.result.scene_text, file.string());
   return run;
 }
 

@@ -52,7 +52,7 @@ std::filesystem::path published_summary(const RunSpec& spec) { return published(
 void publish_result(const RunSpec& spec, const RunResult& result, bool whole, const MeasuringRules& rules) {
   const auto file = published_file(spec);
   std::filesystem::create_directories(file.parent_path());
-  save_summary(summarise(spec.system, parse_scene(result.scene_text, result.name), result, rules),
+  save_summary(summarise(spec.system, parse_archived_scene(result.scene_text, result.name), result, rules),
                published_summary(spec), rules);
   RunResult thinned = result;
   for_each_column(thinned.bed, [](std::vector<double>& column) { thin(column, 5); });

@@ -91,6 +91,16 @@ Vec3 ForcesBeyondDrag::change_of_angular_velocity(const dem::Particles& particle
   return (time_step_ / (particles.inertia(i) + time_step_ * norm(torque) / turning)) * torque;
 }
 
+double ForcesBeyondDrag::momentum_on_its_way(const dem::Particles& particles, std::size_t a) const {
+  const std::array<const std::vector<double>*, 3> velocity{&particles.velocity.x, &particles.velocity.y,
+                                                           &particles.velocity.z};
+  const std::array<double Vec3::*, 3> component{&Vec3::x, &Vec3::y, &Vec3::z};
+  double sum = 0.0;
+  for (std::size_t i = 0; i < std::min(sphere_now_.size(), particles.size()); ++i)
+    sum += particles.added_mass[i] * ((*velocity[a])[i] - sphere_now_[i].*component[a]);
+  return sum;
+}
+
 void ForcesBeyondDrag::disturb(std::size_t i, Vec3 force_on_liquid, double concentration, double voidage, double slip) {
   self_induced_[i] = disturbance_.advance(self_induced_[i], force_on_liquid, concentration, voidage, slip, time_step_);
 }

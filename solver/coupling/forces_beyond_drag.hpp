@@ -20,7 +20,8 @@ namespace slfb::coupling {
 ///
 /// All but the history's newest part, which is linear in the slip, are taken from the start of the liquid step as
 /// constant forces over it, and leave the liquid as the same impulse. The part of the added mass that resists the
-/// sphere's own acceleration is an inertia (dem::Particles::added_mass); the liquid receives it one step late.
+/// sphere's own acceleration is an inertia (dem::Particles::added_mass); the liquid receives it one step late, and
+/// until then it is on its way (momentum_on_its_way()).
 class ForcesBeyondDrag {
  public:
   /// Inactive unless a force is on in `scene`: see any(). \param time_step of the liquid [s]
@@ -58,6 +59,10 @@ class ForcesBeyondDrag {
   /// Change of the angular velocity over the coming step by the liquid's torque, implicit in it [rad/s].
   [[nodiscard]] Vec3 change_of_angular_velocity(const dem::Particles& particles, std::size_t i,
                                                 const Surroundings& liquid) const;
+
+  /// Momentum that the spheres' added mass has taken since the start of the last step, which the liquid loses in the
+  /// next, along axis a (x, y, z) [kg m/s].
+  [[nodiscard]] double momentum_on_its_way(const dem::Particles& particles, std::size_t a) const;
 
   /// Velocity that the sphere's own force has given to the liquid it reads [m/s].
   [[nodiscard]] Vec3 self_induced(std::size_t i) const { return self_induced_[i]; }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "solver/coupling/void_fraction/single_cell.hpp"
 
@@ -28,15 +29,24 @@ LiquidVolumes::LiquidVolumes(const Scene& scene, const fluid::Liquid& liquid)
       grid_(liquid.grid()),
       two_way_(liquid.two_way()),
       shares_(make_shares(scene, liquid)),
+      lone_(grid_, two_way_ && scene.coupling.own_volume == OwnVolume::spread_where_alone),
       smoothing_(grid_, two_way_ ? scene.coupling.smoothing_length : 0.0) {}
 
 void LiquidVolumes::start_anew() {
-  before_.clear();
+  anew_ = true;
   steps_done_ = steps_;
 }
 
 int LiquidVolumes::steps_per_interval() const {
   return static_cast<int>(std::max(1L, std::lround(scene_.coupling.void_fraction_interval / scene_.fluid.time_step)));
+}
+
+/// Shares of the spheres, what they fill of each cell, and who is alone.
+void LiquidVolumes::find_shares(const dem::VectorField& centres, const std::vector<double>& radii,
+                                const std::vector<double>& sphere_volume, int threads) {
+  shares_.update(centres, radii, threads);
+  shares_.scatter<1>({&sphere_volume}, {&solid_}, threads);
+  lone_.update(centres.z, radii, shares_, sphere_volume, solid_);
 }
 
 /// The liquid at the end of an interval, from where the spheres will then be; after a sphere has been put in or taken
@@ -45,9 +55,9 @@ void LiquidVolumes::start_interval(const dem::Engine& engine, double time_step,
                                    const std::vector<double>& sphere_volume) {
   const dem::Particles& particles = engine.particles;
   steps_done_ = 0;
-  steps_ = before_.empty() ? 1 : steps_per_interval();
+  steps_ = anew_ ? 1 : steps_per_interval();
   if (steps_per_interval() == 1) {
-    shares_.update(particles, engine.threads());
+    find_shares(particles.position, particles.radius, sphere_volume, engine.threads());
   } else {
     const double ahead = (steps_ - 1) * time_step;
     centres_ = particles.position;
@@ -56,10 +66,10 @@ void LiquidVolumes::start_interval(const dem::Engine& engine, double time_step,
       centres_.y[i] += ahead * particles.velocity.y[i];
       centres_.z[i] += ahead * particles.velocity.z[i];
     }
-    shares_.update(centres_, particles.radius, engine.threads());
+    find_shares(centres_, particles.radius, sphere_volume, engine.threads());
   }
   // Equation (29): V_L = V_cell − Σ φ_i V_i
-  shares_.scatter<1>({&sphere_volume}, {&solid_}, engine.threads());
+  lone_.spread(sphere_volume, shares_, solid_);
   smoothing_.scatter(solid_, engine.threads());
   at_end_.resize(grid_.size());
   const auto layers = static_cast<std::size_t>(grid_.layers());
@@ -102,12 +112,12 @@ bool LiquidVolumes::start_step(const dem::Engine& engine, double time_step, cons
     for (std::size_t k = 0; k < layers; ++k) voidage[k] = liquid[k] / volume;
   }
   smoothing_.gather(voidage_, engine.threads());
-  if (before_.empty()) before_ = now_;
+  if (std::exchange(anew_, false)) before_ = now_;
   return new_shares;
 }
 
 NamedFields LiquidVolumes::state() const {
-  NamedFields state{{"liquid_volume", before_}};
+  NamedFields state{{"liquid_volume", anew_ ? std::vector<double>{} : before_}};
   if (centres_.x.empty() || steps_done_ >= steps_) return state;
   state["interval/steps"] = {static_cast<double>(steps_), static_cast<double>(steps_done_)};
   state["interval/liquid_at_start"] = at_start_;
@@ -121,7 +131,8 @@ NamedFields LiquidVolumes::state() const {
 void LiquidVolumes::restore(const NamedFields& state, const std::vector<double>& radius) {
   before_ = field_of(state, "liquid_volume");
   const std::size_t cells = grid_.size(), spheres = radius.size();
-  if (!before_.empty()) before_ = field_of(state, "liquid_volume", cells);
+  anew_ = before_.empty();
+  if (!anew_) before_ = field_of(state, "liquid_volume", cells);
   if (!state.contains("interval/steps")) return;
   const auto& steps = field_of(state, "interval/steps", 2);
   steps_ = static_cast<int>(steps[0]);
@@ -130,7 +141,9 @@ void LiquidVolumes::restore(const NamedFields& state, const std::vector<double>&
   at_end_ = field_of(state, "interval/liquid_at_end", cells);
   centres_ = {field_of(state, "interval/centre_x", spheres), field_of(state, "interval/centre_y", spheres),
               field_of(state, "interval/centre_z", spheres)};
-  shares_.update(centres_, radius, 1);
+  std::vector<double> sphere_volume;
+  for (const double r : radius) sphere_volume.push_back(dem::Particles::volume_of(r));
+  find_shares(centres_, radius, sphere_volume, 1);
 }
 
 }  // namespace slfb::coupling

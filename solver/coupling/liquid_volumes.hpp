@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "solver/coupling/diffusion_smoothing.hpp"
+#include "solver/coupling/lone_spheres.hpp"
 #include "solver/coupling/volume_shares.hpp"
 #include "solver/dem/engine.hpp"
 #include "solver/fluid/liquid.hpp"
@@ -26,7 +27,8 @@ class LiquidVolumes {
   bool start_step(const dem::Engine& engine, double time_step, const std::vector<double>& sphere_volume);
   /// The end of the step becomes the start of the next.
   void end_step() { before_.swap(now_); }
-  /// A sphere has been put in or taken out: the next step sees no liquid displaced by that.
+  /// A sphere has been put in or taken out: the next step sees no liquid displaced by that. Until then before() is that
+  /// of the last step.
   void start_anew();
 
   /// Liquid per cell at the start and at the end of the step [m³]; empty before the first step and in one-way coupling.
@@ -36,6 +38,7 @@ class LiquidVolumes {
   [[nodiscard]] const std::vector<double>& voidage() const { return voidage_; }
 
   [[nodiscard]] const VolumeShares& shares() const { return shares_; }
+  [[nodiscard]] const LoneSpheres& lone() const { return lone_; }
   [[nodiscard]] DiffusionSmoothing& smoothing() { return smoothing_; }
 
   /// liquid_volume per cell [m³]; of an interval that is under way interval/steps (all, done), interval/liquid_at_start
@@ -45,6 +48,8 @@ class LiquidVolumes {
   void restore(const NamedFields& state, const std::vector<double>& radius);
 
  private:
+  void find_shares(const dem::VectorField& centres, const std::vector<double>& radii,
+                   const std::vector<double>& sphere_volume, int threads);
   void start_interval(const dem::Engine& engine, double time_step, const std::vector<double>& sphere_volume);
   [[nodiscard]] int steps_per_interval() const;
 
@@ -52,8 +57,10 @@ class LiquidVolumes {
   const fluid::ColumnGrid& grid_;
   bool two_way_;
   VolumeShares shares_;
+  LoneSpheres lone_;
   DiffusionSmoothing smoothing_;
   std::vector<double> before_, now_, voidage_, solid_;
+  bool anew_ = true;  ///< the next step starts with the liquid that it ends with
   // The present interval: its steps, those done, the liquid at both ends, the spheres' centres at its end.
   int steps_ = 1, steps_done_ = 0;
   std::vector<double> at_start_, at_end_;

@@ -56,6 +56,12 @@ void PhaseCoupling::update_void_fraction(const dem::Engine& engine, double time_
   for (std::size_t c = 0; c < cells_.size(); ++c) cells_[c].value[CellValues::voidage] = voidage[c];
 }
 
+void PhaseCoupling::update_section_means() {
+  if (!volumes_.lone().any()) return;
+  section_means_ =
+      volumes_.lone().section_means<8>([&](std::size_t cell, std::size_t field) { return cells_[cell].value[field]; });
+}
+
 /// Velocity and stress of the liquid, cell by cell.
 void PhaseCoupling::read_liquid(int threads) {
   liquid_.gather(cell_velocity_, cell_stress_);
@@ -67,6 +73,7 @@ void PhaseCoupling::read_liquid(int threads) {
       cells_[c].value[CellValues::velocity_x + a] = cell_velocity_[a][c];
       cells_[c].value[CellValues::stress_x + a] = cell_stress_[a][c];
     }
+  update_section_means();
   cells_valid_ = true;
 }
 
@@ -108,24 +115,28 @@ void PhaseCoupling::read_at_spheres(const dem::Engine& engine, double time_step)
       }
       std::array<double, 3> u{value[CellValues::velocity_x], value[CellValues::velocity_y],
                               value[CellValues::velocity_z]};
+      const double alone = volumes_.lone().weight(i);
+      if (alone > 0.0) {
+        // Voidage and velocity where the sphere is, less what of its spread volume lies there.
+        const double voidage = value[CellValues::voidage] + volumes_.lone().own_spread_fraction(i);
+        value = volumes_.lone().mean(i, value, section_means_);
+        value[CellValues::voidage] = voidage;
+      }
       // Equations (30), (31), or trilinear
       if (at_centres_) {
         const auto at_centre = point_values_.at(particles.position.at(i), cells_);
-        value[CellValues::voidage] = at_centre[0];
-        for (std::size_t a = 0; a < 3; ++a) {
-          velocity_correction_[a][i] = at_centre[a + 1] - u[a];
-          u[a] = at_centre[a + 1];
-        }
+        value[CellValues::voidage] = at_centre[0] + volumes_.lone().own_spread_fraction(i);
+        std::copy_n(at_centre.begin() + 1, 3, u.begin());
       }
       if (corrects_disturbance_) {
         const Vec3 own = beyond_drag_.self_induced(i);
         const std::array<double, 3> induced{own.x, own.y, own.z};
-        for (std::size_t a = 0; a < 3; ++a) {
-          u[a] -= induced[a];
-          velocity_correction_[a][i] = u[a] - value[CellValues::velocity_x + a];
-        }
-        value[CellValues::voidage] = undisturbed_voidage(value[CellValues::voidage], volume_[i] * own_concentration(i));
+        for (std::size_t a = 0; a < 3; ++a) u[a] -= induced[a];
+        value[CellValues::voidage] =
+            undisturbed_voidage(value[CellValues::voidage], (1.0 - alone) * volume_[i] * own_concentration(i));
       }
+      if (corrected)
+        for (std::size_t a = 0; a < 3; ++a) velocity_correction_[a][i] = u[a] - value[CellValues::velocity_x + a];
       const double x = u[0] - particles.velocity.x[i], y = u[1] - particles.velocity.y[i],
                    z = u[2] - particles.velocity.z[i];
       voidage_[i] = value[CellValues::voidage];
@@ -135,6 +146,8 @@ void PhaseCoupling::read_at_spheres(const dem::Engine& engine, double time_step)
     const std::size_t count = end - begin;
     // One indirect call per block of spheres; the law itself is inlined in the loop over them.
     law_(&voidage_[begin], &reynolds_[begin], &coefficient_[begin], count);
+    if (scene_.coupling.drag_times_voidage)  // Equation (20) as printed
+      for (std::size_t i = begin; i < end; ++i) coefficient_[i] *= voidage_[i];
     for (std::size_t i = begin; i < end; ++i) {
       const std::array<double, 8>& value = values[i - begin];
       const double volume = volume_[i], per_inertia = time_step / particles.inertial_mass(i);
@@ -182,7 +195,12 @@ void PhaseCoupling::give_to_liquid(const dem::Engine& engine, double time_step) 
   const VolumeShares& shares = volumes_.shares();
   shares.scatter<5>({&damped_coefficient_, &momentum_[0], &momentum_[1], &momentum_[2], &stressed_volume_},
                     {&scattered_[0], &scattered_[1], &scattered_[2], &scattered_[3], &scattered_[4]}, engine.threads());
-  for (auto& field : scattered_) volumes_.smoothing().scatter(field, engine.threads());
+  const std::array<const std::vector<double>*, 5> given{&damped_coefficient_, &momentum_[0], &momentum_[1],
+                                                        &momentum_[2], &stressed_volume_};
+  for (std::size_t f = 0; f < given.size(); ++f) {
+    volumes_.lone().spread(*given[f], shares, scattered_[f]);
+    volumes_.smoothing().scatter(scattered_[f], engine.threads());
+  }
   liquid_.scatter(scattered_, exchange_);
 }
 
@@ -197,7 +215,7 @@ void PhaseCoupling::give_to_spheres(dem::Engine& engine, double time_step) {
 #pragma omp parallel for num_threads(engine.threads()) schedule(static)
   for (std::int64_t k = 0; k < n; ++k) {
     const auto i = static_cast<std::size_t>(k);
-    const std::array<double, 8> value = mean_by_shares(i);
+    const std::array<double, 8> value = volumes_.lone().mean(i, mean_by_shares(i), section_means_);
     const double volume = volume_[i];
     for (std::size_t a = 0; a < 3; ++a) {
       double u = value[CellValues::velocity_x + a];
@@ -229,6 +247,8 @@ double PhaseCoupling::update_coefficient(const dem::Engine& engine, double time_
     reynolds_[i] = density * 2.0 * particles.radius[i] * voidage_[i] * std::sqrt(squared) / coefficient_[i] / viscosity;
   }
   law_(voidage_.data(), reynolds_.data(), next_coefficient_.data(), voidage_.size());
+  if (scene_.coupling.drag_times_voidage)
+    for (std::size_t i = 0; i < particles.size(); ++i) next_coefficient_[i] *= voidage_[i];
   double change = 0.0;
   for (std::size_t i = 0; i < particles.size(); ++i) {
     const double coefficient =
@@ -248,7 +268,7 @@ void PhaseCoupling::advance(dem::Engine& engine, double time_step) {
   for (std::size_t i = 0; i < n; ++i) volume_[i] = engine.particles.volume(i);
   cells_.resize(liquid_.grid().size());
   update_void_fraction(engine, time_step);
-  if (!cells_valid_) read_liquid(engine.threads());
+  cells_valid_ ? update_section_means() : read_liquid(engine.threads());
   if (beyond_drag_.any()) apply_forces_beyond_drag(engine);
   read_at_spheres(engine, time_step);
   NamedFields start;
@@ -280,7 +300,9 @@ void PhaseCoupling::disturb_liquid(const dem::Particles& particles) {
     const auto v = particles.velocity.at(i);
     const double slip =
         std::hypot(liquid_velocity_[0][i] - v[0], liquid_velocity_[1][i] - v[1], liquid_velocity_[2][i] - v[2]);
-    beyond_drag_.disturb(i, {-drag_[0][i], -drag_[1][i], -drag_[2][i]}, own_concentration(i), voidage_[i], slip);
+    const double local = volumes_.lone().weight(i) - 1.0;  // of the drag, on the liquid
+    beyond_drag_.disturb(i, {local * drag_[0][i], local * drag_[1][i], local * drag_[2][i]}, own_concentration(i),
+                         voidage_[i], slip);
   }
 }
 
@@ -339,7 +361,10 @@ double PhaseCoupling::pressure_force(std::size_t i, std::size_t a) {
   std::vector<double> cells;
   liquid_.gather_pressure_gradient(a, cells);
   volumes_.smoothing().gather(cells);
-  const double gradient = volumes_.shares().gather(i, cells);
+  const LoneSpheres& lone = volumes_.lone();
+  std::vector<std::array<double, 1>> means;
+  if (lone.any()) means = lone.section_means<1>([&](std::size_t cell, std::size_t) { return cells[cell]; });
+  const double gradient = lone.mean<1>(i, {volumes_.shares().gather(i, cells)}, means)[0];
   return -volume_[i] * (gradient - (a == 2 ? scene_.liquid.density * gravitational_acceleration : 0.0));
 }
 

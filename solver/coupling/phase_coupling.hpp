@@ -55,6 +55,11 @@ class PhaseCoupling {
   /// Drag that left the liquid over the last step, from its own momentum nodes [N]; 0 in one-way coupling.
   [[nodiscard]] double drag_taken_from_liquid(std::size_t a) const { return liquid_.taken_by(exchange_, a); }
 
+  /// Momentum of the spheres' added mass that the liquid gets in the next step, along axis a [kg m/s].
+  [[nodiscard]] double momentum_on_its_way(const dem::Particles& particles, std::size_t a) const {
+    return beyond_drag_.any() ? beyond_drag_.momentum_on_its_way(particles, a) : 0.0;
+  }
+
   /// Void fraction per cell after the last advance [-]; empty in one-way coupling.
   [[nodiscard]] std::vector<double> void_fraction() const;
   /// Liquid velocity per cell after the last advance [m/s].
@@ -76,12 +81,13 @@ class PhaseCoupling {
 
  private:
   void resize(std::size_t n);
-  /// The slip is not that of the mean by shares.
-  [[nodiscard]] bool slip_is_corrected() const { return at_centres_ || corrects_disturbance_; }
+  /// The slip of some sphere is not that of the mean by which it gives and takes.
+  [[nodiscard]] bool slip_is_corrected() const { return at_centres_ || corrects_disturbance_ || volumes_.lone().any(); }
   [[nodiscard]] bool drag_is_explicit() const { return scene_.coupling.exchange == MomentumExchange::explicit_in_time; }
   void update_void_fraction(const dem::Engine& engine, double time_step);
   void read_liquid(int threads);
   [[nodiscard]] std::array<double, 8> mean_by_shares(std::size_t i) const;
+  void update_section_means();
   void read_at_spheres(const dem::Engine& engine, double time_step);
   void apply_forces_beyond_drag(dem::Engine& engine);
   [[nodiscard]] double own_concentration(std::size_t i) const;
@@ -99,7 +105,8 @@ class PhaseCoupling {
   // What only a liquid that the spheres act on has: voidage and velocity read at the spheres' centres, the slip
   // corrected by their own disturbance, drag that is iterated.
   bool at_centres_, corrects_disturbance_, implicit_;
-  std::vector<CellValues> cells_;  ///< what the spheres read
+  std::vector<CellValues> cells_;                     ///< what the spheres read
+  std::vector<std::array<double, 8>> section_means_;  ///< of that, per layer; only where spheres are alone
   bool cells_valid_ = false;
   bool velocity_is_gathered_ = false;  ///< liquid_velocity_ is that of cells_ by the present shares
   /// Per cell: u [m/s], −∇p + ∇·τ with the dynamic pressure [N/m³].

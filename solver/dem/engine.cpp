@@ -65,6 +65,8 @@ void Engine::choose_integrator() {
   spring_phase_ = Integrator::spring_phase;
   move_ = &Engine::move<Integrator>;
   predict_ = &Engine::predict<Integrator>;
+  static_assert(Integrator::memory_size <= std::tuple_size_v<decltype(WallImpulse::memory)>);
+  if constexpr (Integrator::memory_size > 0) integrate_wall_forces_ = &Engine::integrate_wall_forces<Integrator>;
 }
 
 // --- spheres ---------------------------------------------------------------------------------------------------------
@@ -438,6 +440,26 @@ void Engine::predict(std::size_t first, std::size_t last) {
         external_acceleration_[i].vector(), time_step_);
 }
 
+/// Integrators are linear in the forces: what the walls give to all spheres together is what a body of mass 1 gets from
+/// the sum of their forces.
+template <class Integrator>
+void Engine::integrate_wall_forces(StepMode mode) {
+  Vec3 sum;  // x bottom, y other walls
+  for (const std::uint32_t s : slot_of_) sum = sum + vertical_wall_force_[s].vector();
+  for (std::size_t w = 0; w < wall_impulse_.size(); ++w) {
+    WallImpulse& wall = wall_impulse_[w];
+    const Body body{wall.position, wall.velocity, wall.angular_velocity, wall.memory.data()};
+    const double so_far = std::exchange(wall.force_so_far, w == 0 ? sum.x : sum.y);
+    const Acceleration force{{0.0, 0.0, wall.force_so_far - so_far}, {}};
+    if (mode == StepMode::start) {
+      Integrator::start(body, force);
+      continue;
+    }
+    Integrator::predict(body, {}, time_step_);
+    Integrator::correct(body, force, {}, time_step_);
+  }
+}
+
 template <class Work>
 void Engine::for_partitions(Work work) {
 #pragma omp parallel for num_threads(threads_) schedule(static, 1)
@@ -464,8 +486,11 @@ void Engine::advance(std::int64_t steps) {
     if (integrator_size_ > 0) {
       // Integrators that restore_contacts accelerations need those of the start, when contacts may exist: a step in
       // which nothing moves, and no contact remembers that it was.
+      std::ranges::fill(vertical_wall_force_, Vec4{});
+      for (WallImpulse& wall : wall_impulse_) wall.force_so_far = 0.0;
       for_partitions([&](ThreadPartition& partition) { compute_outer(partition, StepMode::start); });
       for_partitions([&](ThreadPartition& partition) { sweep(partition, StepMode::start); });
+      (this->*integrate_wall_forces_)(StepMode::start);
       integrator_memory_by_number();
       rebuild_from_particles({});
     }
@@ -476,6 +501,7 @@ void Engine::advance(std::int64_t steps) {
     for (std::size_t s = partition.first; s < partition.last; ++s) vertical_wall_force_[s] = {};
     (this->*predict_)(partition.first, partition.last);
   });
+  for (WallImpulse& wall : wall_impulse_) wall.velocity = {}, wall.force_so_far = 0.0;
   std::int64_t done = 0;
   try {
     for (; done < steps; ++done) one_step(done + 1 == steps ? StepMode::final : StepMode::middle);
@@ -499,6 +525,7 @@ void Engine::one_step(StepMode mode) {
   for (auto& partition : partitions_) partition->overlap = 0.0;
   if (threads_ > 1) for_partitions([&](ThreadPartition& partition) { compute_outer(partition, mode); });
   for_partitions([&](ThreadPartition& partition) { sweep(partition, mode); });
+  if (integrate_wall_forces_ != nullptr) (this->*integrate_wall_forces_)(mode);
 
   double speed_squared = 0.0, speed_sum = 0.0;
   maximum_overlap_ = 0.0;

@@ -89,7 +89,7 @@ class Engine {
   /// Force of the walls on i at the last step [N].
   [[nodiscard]] std::array<double, 3> wall_force(std::size_t i) const { return components(wall_force_, i); }
   /// Upward forces of the bottom (wall number 0) and of all other walls on the spheres, mean over the last advance()
-  /// [N].
+  /// with the weights that the integrator gives to each step: times its duration, the momentum that they gave [N].
   struct VerticalWallForces {
     double bottom = 0.0, others = 0.0;
   };
@@ -212,6 +212,8 @@ class Engine {
   template <class Integrator>
   void predict(std::size_t first, std::size_t last);
   template <class Integrator>
+  void integrate_wall_forces(StepMode mode);
+  template <class Integrator>
   void choose_integrator();
   [[noreturn]] void fail(const char* what, std::size_t slot) const;
   [[nodiscard]] std::uint32_t now() const { return static_cast<std::uint32_t>(steps_ + 1); }
@@ -238,6 +240,7 @@ class Engine {
   // The instances of the templates that this scene's integrator needs.
   void (Engine::*move_)(ThreadPartition&, std::size_t, std::size_t, StepMode) = nullptr;
   void (Engine::*predict_)(std::size_t, std::size_t) = nullptr;
+  void (Engine::*integrate_wall_forces_)(StepMode) = nullptr;  ///< none where the mean over the steps is exact
   double spring_phase_ = 1.0;
 
   // By slot: spheres in the order of the cell grid.
@@ -265,6 +268,14 @@ class Engine {
   double skin_ = 0.0;
   double travel_ = 0.0, margin_ = 0.0;  ///< bound of the largest displacement since it was last measured, and its limit
   std::int64_t list_step_ = 0, list_builds_ = 0, steps_ = 0, last_advance_ = 0;
+
+  /// The vertical forces of the bottom, and of the other walls, as the integrator sums them: that of a body of mass 1.
+  struct WallImpulse {
+    Vec4 position, velocity, angular_velocity;
+    std::array<Vec4, 6> memory;
+    double force_so_far = 0.0;  ///< part of vertical_wall_force_ that is dealt with [N]
+  };
+  std::array<WallImpulse, 2> wall_impulse_;
 
   // By number of the sphere.
   VectorField mean_solid_force_;

@@ -72,6 +72,9 @@ Engine::Memory Engine::memory() const {
       const Vec4& kept = integrator_memory_[slot_of_[i] * integrator_size_ + k];
       memory.integrator.insert(memory.integrator.end(), {kept.x, kept.y, kept.z});
     }
+  for (const WallImpulse& wall : wall_impulse_)
+    for (std::size_t k = 0; k < integrator_size_; ++k)
+      memory.integrator.insert(memory.integrator.end(), {wall.memory[k].x, wall.memory[k].y, wall.memory[k].z});
   return memory;
 }
 
@@ -83,11 +86,16 @@ void Engine::restore(Particles state, const Memory& memory) {
   mean_solid_force_ = memory.mean_solid_force;
   steps_ = memory.steps;
   if (memory.list_position.x.size() != particles.size()) return;  // nothing had moved yet
-  if (memory.integrator.size() != 3 * integrator_memory_.size())
-    throw EngineError(fmt::format("the integrator's memory has {} values instead of {}", memory.integrator.size(),
-                                  3 * integrator_memory_.size()));
-  for (std::size_t k = 0; k < integrator_memory_.size(); ++k)
-    integrator_memory_[k].set({memory.integrator[3 * k], memory.integrator[3 * k + 1], memory.integrator[3 * k + 2]});
+  const std::size_t of_spheres = integrator_memory_.size(), all = of_spheres + wall_impulse_.size() * integrator_size_;
+  if (memory.integrator.size() != 3 * all)
+    throw EngineError(
+        fmt::format("the integrator's memory has {} values instead of {}", memory.integrator.size(), 3 * all));
+  for (std::size_t k = 0; k < all; ++k) {
+    Vec4& kept = k < of_spheres
+                     ? integrator_memory_[k]
+                     : wall_impulse_[(k - of_spheres) / integrator_size_].memory[(k - of_spheres) % integrator_size_];
+    kept.set({memory.integrator[3 * k], memory.integrator[3 * k + 1], memory.integrator[3 * k + 2]});
+  }
   // The order of all sums comes from the positions at which the list was built.
   const VectorField now_at = std::exchange(particles.position, memory.list_position);
   rebuild_from_particles({memory.contacts, memory.wall_contacts}, memory.skin);

@@ -14,6 +14,10 @@ Engine::VerticalWallForces Engine::mean_vertical_wall_forces() const {
     sum.others += vertical_wall_force_[s].y;
   }
   const auto steps = static_cast<double>(std::max<std::int64_t>(1, last_advance_));
+  if (integrate_wall_forces_ != nullptr) {
+    const double per_time = 1.0 / (steps * time_step_);
+    return {per_time * wall_impulse_[0].velocity.z, per_time * wall_impulse_[1].velocity.z};
+  }
   return {sum.bottom / steps, sum.others / steps};
 }
 

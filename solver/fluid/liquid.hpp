@@ -3,6 +3,7 @@
 #include <array>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <stdexcept>
 #include <vector>
 
@@ -33,6 +34,9 @@ struct VerticalForces {
   double stress = 0.0;    ///< Σ V (∇·τ)_z, the same
   double inflow = 0.0;    ///< momentum that came in through the inlet per time
   double outflow = 0.0;   ///< and went out through the outlet
+  /// ∂(Σ ρ V_L w)/∂t where the time scheme forms it from more than the two ends of the step; else none, it is the
+  /// change of vertical_momentum() over the step.
+  std::optional<double> momentum_rate;
 };
 
 /// Wall time spent on the liquid since it was made [s], and the iterations of its pressure equation [-].
@@ -57,6 +61,11 @@ class Liquid {
   /// the void fraction 1, its grid is a single cell, and there is nothing of it to record.
   [[nodiscard]] virtual bool two_way() const = 0;
   [[nodiscard]] virtual const ColumnGrid& grid() const = 0;
+
+  /// Superficial velocity of the liquid that enters from the next step on [m/s]; at first it is that of the scene's
+  /// first stage after settling. The
+  /// state() has only a change that no step has seen yet.
+  virtual void set_superficial_velocity(double velocity) = 0;
 
   /// One step of `time_step` [s], from liquid volumes `before` to `now` (per cell [m³]).
   /// \throws FluidError if a cell holds no liquid, if an equation does not converge, or if a value is not finite

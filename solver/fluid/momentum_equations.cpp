@@ -61,9 +61,16 @@ MomentumEquations::MomentumEquations(const ColumnGrid& grid, const Scene& scene,
     for (auto& end : c.end) end.assign(as_index(c.sections), 0.0);
   }
   Component& c = component[vertical];
-  std::fill(c.end[0].begin(), c.end[0].end(), scene.liquid.superficial_velocity);
+  const double inlet = scene.first_superficial_velocity();
+  std::fill(c.end[0].begin(), c.end[0].end(), inlet);
   for (int s = 0; s < c.sections; ++s)
-    for (int k = c.first; k <= c.last; ++k) c.velocity[index_of(s, k, c.levels)] = scene.liquid.superficial_velocity;
+    for (int k = c.first; k <= c.last; ++k) c.velocity[index_of(s, k, c.levels)] = inlet;
+}
+
+void MomentumEquations::set_inlet_velocity(double velocity) {
+  Component& c = component[vertical];
+  c.inlet_before = c.end[0];
+  std::fill(c.end[0].begin(), c.end[0].end(), velocity);
 }
 
 /// Liquid volumes on the nodes, inertia and old momentum, ∂V_L/∂t, the inlet's velocity, and the velocity that the
@@ -76,6 +83,7 @@ void MomentumEquations::start_step(double time_step, const std::vector<double>& 
   // ∂f/∂t at the end of the step = at_now f^(n+1) − at_before f^n + at_earlier f^(n−1).
   const double at_now = (second_order ? 1.5 : 1.0) / time_step, at_before = (second_order ? 2.0 : 1.0) / time_step,
                at_earlier = 0.5 / time_step;
+  per_step_ = at_now;
   // Equation (26): ∂V_L/∂t of each cell
 #pragma omp parallel for num_threads(threads_) schedule(static)
   for (std::size_t i = 0; i < volume_change_.size(); ++i) {
@@ -310,6 +318,17 @@ void MomentumEquations::assemble_column(const Exchange& exchange) {
 
 void MomentumEquations::finish_column() { finish_viscous(vertical, {0, 1}); }
 
+double MomentumEquations::vertical_momentum_rate() const {
+  const Component& c = component[vertical];
+  double rate = 0.0;
+  for (int s = 0; s < c.sections; ++s)
+    for (int k = c.first; k <= c.last; ++k) {
+      const std::size_t n = index_of(s, k, c.levels);
+      rate += density_ * per_step_ * c.liquid_now[n] * c.velocity[n] - c.old_inertia[n] * c.previous[n];
+    }
+  return rate;
+}
+
 void MomentumEquations::add_state(NamedFields& state) const {
   for (const Component& c : component) {
     state[fmt::format("velocity_{}", "xyz"[c.axis])] = c.velocity;
@@ -318,6 +337,8 @@ void MomentumEquations::add_state(NamedFields& state) const {
   }
   state["earlier_volume"] = earlier_volume_;
   state["last_volume"] = last_volume_;
+  // A change of the inlet that no step has seen yet.
+  if (const auto& inlet = component[vertical].inlet_before; !inlet.empty()) state["inlet_before"] = inlet;
 }
 
 void MomentumEquations::restore(const NamedFields& state) {
@@ -329,6 +350,8 @@ void MomentumEquations::restore(const NamedFields& state) {
   earlier_volume_ = field_of(state, "earlier_volume");
   last_volume_ = field_of(state, "last_volume");
   nodes_hold_last_volume_ = false;
+  component[vertical].inlet_before =
+      state.contains("inlet_before") ? field_of(state, "inlet_before") : std::vector<double>{};
 }
 
 }  // namespace slfb::fluid

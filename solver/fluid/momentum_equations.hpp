@@ -37,6 +37,7 @@ class MomentumEquations {
     std::vector<double> velocity, previous, earlier;                ///< now, one and two steps ago [m/s]
     std::vector<double> pressure_gradient;                          ///< ∂p/∂x_a of the dynamic pressure [Pa/m]
     std::vector<double> viscous;                                    ///< ∇·τ [N/m³]
+    std::vector<double> inlet_before;         ///< velocity given at z = 0 before a change of it, else empty [m/s]
     std::vector<double> flow;                 ///< of liquid volume through the node's face [m³/s]
     std::array<std::vector<double>, 3> flux;  ///< the same through the links towards +x and +y and from below [m³/s]
     /// The momentum equations: weights of the neighbours towards −x, +x, −y, +y, −z, +z [kg/s].
@@ -52,9 +53,22 @@ class MomentumEquations {
 
   /// ∂V_L/∂t per cell in the present step [m³/s].
   [[nodiscard]] const std::vector<double>& volume_change() const { return volume_change_; }
+  /// Σ over the vertical nodes of ∂(ρ V_L w)/∂t, as the time scheme forms it [N]; after the solution.
+  [[nodiscard]] double vertical_momentum_rate() const;
   /// In first order the projection convects with the flow of the step's start, whose continuity is settled: momentum is
   /// then conserved. Iterations and extrapolated velocities bring flows of their own.
   [[nodiscard]] bool settled_flow() const { return settled_flow_; }
+  [[nodiscard]] bool of_second_order() const { return time_scheme_ == TimeScheme::second_order; }
+
+  /// Velocity α w of the liquid that enters over the whole section from the next step on [m/s].
+  void set_inlet_velocity(double velocity);
+  /// The same for the flow that brings momentum in: where the flow is that of the step's start, from before a change.
+  [[nodiscard]] const std::vector<double>& convected_inlet() const {
+    const Component& c = component[vertical];
+    return settled_flow_ && !c.inlet_before.empty() ? c.inlet_before : c.end[0];
+  }
+  /// The step is over: the liquid has entered with its present velocity.
+  void end_step() { component[vertical].inlet_before.clear(); }
 
   /// Starts a step from liquid volumes `before` to `now` per cell [m³]. In second order the time step stays the same;
   /// where `before` is not the last step's `now` (a sphere was put in), the scheme starts anew with Euler.
@@ -121,6 +135,7 @@ class MomentumEquations {
   bool closed_;
   int threads_;
   bool settled_flow_;
+  double per_step_ = 0.0;                ///< factor of the new momentum in ∂/∂t [1/s]
   std::vector<double> volume_change_;    ///< ∂V_L/∂t per cell [m³/s]
   std::vector<double> dilatation_;       ///< ∇·u per cell [1/s]
   std::vector<double> earlier_volume_;   ///< second order: liquid at the start of the last step [m³]

@@ -16,7 +16,7 @@ void MomentumEquations::start_flows() {
     const int levels = c.levels;
 #pragma omp simd
     for (int k = 0; k < levels; ++k) flow[k] = volume[k] > 0.0 ? liquid[k] / volume[k] * area * velocity[k] : 0.0;
-    if (a == vertical) flow[0] = c.end[0][as_index(s)] * area;
+    if (a == vertical) flow[0] = convected_inlet()[as_index(s)] * area;
   });
 }
 

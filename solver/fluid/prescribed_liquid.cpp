@@ -17,7 +17,7 @@ void PrescribedLiquid::gather_pressure_gradient(std::size_t, std::vector<double>
 }
 
 std::unique_ptr<Liquid> make_prescribed_liquid(const Scene& scene, int) {
-  return std::make_unique<PrescribedLiquid>(scene, scene.liquid.superficial_velocity);
+  return std::make_unique<PrescribedLiquid>(scene, scene.first_superficial_velocity());
 }
 
 }  // namespace slfb::fluid

@@ -16,6 +16,7 @@ class PrescribedLiquid final : public Liquid {
   [[nodiscard]] bool two_way() const override { return false; }
   /// A single cell that holds the whole column.
   [[nodiscard]] const ColumnGrid& grid() const override { return grid_; }
+  void set_superficial_velocity(double velocity) override { velocity_ = velocity; }
   /// Nothing changes; throws nothing.
   void advance(double, const std::vector<double>&, const std::vector<double>&, const Exchange&) override {}
 
@@ -38,7 +39,7 @@ class PrescribedLiquid final : public Liquid {
   std::vector<double> pressure_;
 };
 
-/// The tier's maker: w is the scene's superficial velocity.
+/// The tier's maker: w is the superficial velocity of the scene's first stage after settling.
 std::unique_ptr<Liquid> make_prescribed_liquid(const Scene& scene, int threads);
 
 }  // namespace slfb::fluid

@@ -33,6 +33,7 @@ void StaggeredLiquid::advance(double time_step, const std::vector<double>& befor
     momentum_.start_step(time_step, before, now, exchange);
   }
   solve(exchange);
+  momentum_.end_step();
 }
 
 void StaggeredLiquid::scatter(std::size_t a, const std::vector<double>& cells, std::vector<double>& nodes) const {
@@ -141,8 +142,9 @@ void StaggeredLiquid::record_vertical_forces(double leaving) {
   }
   vertical_forces_.pressure = pressure;
   vertical_forces_.stress = stress;
+  if (momentum_.of_second_order()) vertical_forces_.momentum_rate = momentum_.vertical_momentum_rate();
   for (int s = 0; s < c.sections; ++s)
-    vertical_forces_.inflow += density_ * c.end[0][as_index(s)] * grid_.area(s) * c.velocity[index_of(s, 0, c.levels)];
+    vertical_forces_.inflow += density_ * momentum_.convected_inlet()[as_index(s)] * grid_.area(s) * c.velocity[index_of(s, 0, c.levels)];
 }
 
 double StaggeredLiquid::vertical_momentum() const {

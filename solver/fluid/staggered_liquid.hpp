@@ -13,6 +13,8 @@ class StaggeredLiquid : public Liquid {
   [[nodiscard]] bool two_way() const final { return true; }
   [[nodiscard]] const ColumnGrid& grid() const final { return grid_; }
 
+  void set_superficial_velocity(double velocity) override { momentum_.set_inlet_velocity(velocity); }
+
   /// In second order the time step stays the same; where `before` is not the last step's `now` (a sphere was put in),
   /// the scheme starts anew with Euler.
   void advance(double time_step, const std::vector<double>& before, const std::vector<double>& now,
@@ -35,7 +37,7 @@ class StaggeredLiquid : public Liquid {
 
   /// Velocity given at z = 0 (side 0) and, for the lateral components of a closed liquid, at z = height (side 1), per
   /// section node [m/s]. For the vertical component it is the superficial velocity α w. A scene's liquid enters with
-  /// its superficial_velocity.
+  /// set_superficial_velocity().
   [[nodiscard]] std::vector<double>& end_velocity(std::size_t component, std::size_t side) {
     return momentum_.component[component].end[side];
   }

@@ -12,7 +12,7 @@ namespace slfb::fluid {
 
 ThreeDimensionalLiquid::ThreeDimensionalLiquid(const Scene& scene, bool closed, int threads)
     : StaggeredLiquid(scene, scene.fluid.wall, closed, threads),
-      superficial_velocity_(scene.liquid.superficial_velocity),
+      superficial_velocity_(scene.first_superficial_velocity()),
       pressure_tolerance_(scene.fluid.pressure_tolerance),
       simple_tolerance_(scene.fluid.simple_tolerance),
       pressure_velocity_(scene.fluid.pressure_velocity),
@@ -20,6 +20,11 @@ ThreeDimensionalLiquid::ThreeDimensionalLiquid(const Scene& scene, bool closed, 
       imbalance_(grid_.size(), 0.0),
       correction_(grid_.size(), 0.0) {
   for (std::size_t a = 0; a < 3; ++a) mobility_[a].assign(nodes(a), 0.0);
+}
+
+void ThreeDimensionalLiquid::set_superficial_velocity(double velocity) {
+  StaggeredLiquid::set_superficial_velocity(velocity);
+  superficial_velocity_ = velocity;
 }
 
 void ThreeDimensionalLiquid::solve(const Exchange& exchange) {

@@ -15,6 +15,8 @@ class ThreeDimensionalLiquid final : public StaggeredLiquid {
   /// vortices with exact solutions.
   explicit ThreeDimensionalLiquid(const Scene& scene, bool closed = false, int threads = 1);
 
+  void set_superficial_velocity(double velocity) override;
+
  private:
   void solve(const Exchange& exchange) override;
   double correct_pressure(const Exchange& exchange);

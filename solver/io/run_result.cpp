@@ -20,6 +20,7 @@ struct Column {
   const char* unit;
   std::vector<double> Group::*values;
   Storage storage = Storage::float32;
+  bool may_be_missing = false;  ///< from files of before it was recorded
 };
 
 constexpr std::array bed_columns{
@@ -46,6 +47,7 @@ constexpr std::array bed_columns{
     Column<BedSeries>{"balance_residual", "1", &BedSeries::balance_residual},
     Column<BedSeries>{"maximum_overlap", "1", &BedSeries::maximum_overlap},
     Column<BedSeries>{"foreign_present", "1", &BedSeries::foreign_present},
+    Column<BedSeries>{"superficial_velocity", "m s-1", &BedSeries::superficial_velocity, Storage::float32, true},
 };
 
 constexpr std::array drop_columns{
@@ -119,7 +121,9 @@ void write_columns(Hdf5File& file, const std::string& group, const Columns& colu
 template <class Columns, class Group>
 void read_columns(const Hdf5File& file, const std::string& group, const Columns& columns, Group& values) {
   for (const auto& column : columns) {
-    values.*column.values = file.read_doubles(fmt::format("{}/{}", group, column.name));
+    const std::string path = fmt::format("{}/{}", group, column.name);
+    if (column.may_be_missing && !file.exists(path)) continue;
+    values.*column.values = file.read_doubles(path);
   }
 }
 

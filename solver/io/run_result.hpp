@@ -33,6 +33,7 @@ struct BedSeries {
       liquid_inertia;
   std::vector<double> balance_residual;  ///< largest sum of them over a step since the last sample, of the weight [-]
   std::vector<double> foreign_present;   ///< 1 while a dropped sphere is in the column, else 0
+  std::vector<double> superficial_velocity;  ///< U_L at the inlet [m/s]; empty in results from before it was recorded
 };
 
 /// History of one dropped sphere; all vectors have the same length. Time 0 is its release.

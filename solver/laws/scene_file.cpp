@@ -114,6 +114,12 @@ Scene parse_scene(const std::string& text, const std::string& origin, const Over
   return description::read_scene(text, origin, overrides, laws_of_the_suite);
 }
 
+Scene parse_archived_scene(const std::string& text, const std::string& origin) {
+  Scene unwritten;
+  unwritten.coupling.own_volume = OwnVolume::counted;
+  return description::read_scene(text, origin, {}, laws_of_the_suite, unwritten);
+}
+
 void validate_scene(const Scene& scene) {
   Problems problems("scene");
   description::check_scene(scene, problems, laws_of_the_suite);

@@ -19,6 +19,9 @@ Scene load_scene(const std::filesystem::path& file, const Overrides& overrides =
 /// The same from text; `origin` takes the place of the file name in messages.
 Scene parse_scene(const std::string& text, const std::string& origin, const Overrides& overrides = {});
 
+/// The same from the scene_text of a result: a key that it does not have means what it meant before there was a choice.
+Scene parse_archived_scene(const std::string& text, const std::string& origin);
+
 /// The same checks of a scene that was made or changed in memory. Throws SceneError, without lines of a file.
 void validate_scene(const Scene& scene);
 
@@ -28,7 +31,8 @@ void validate_scene(const Scene& scene);
 std::string canonical_toml(const Scene& scene);
 
 /// Sixteen hexadecimal digits (XXH3, 64 bit) of canonical_toml and the numerics version, without what changes no
-/// result: title, checkpoint interval, permission for a large step. A law from a file counts by its text. Throws
+/// result: title, checkpoint interval, permission for a large step, and without keys of the only value that there was
+/// when runs were first named (`left_out_of_name_if`). A law from a file counts by its text. Throws
 /// UserLawError if that file cannot be read.
 std::string scene_hash(const Scene& scene);
 

@@ -45,7 +45,7 @@ void BedRecorder::measure_packed_bed(const Model& model, bool in_liquid) {
         scene_.title, speed, resting_speed);
 }
 
-bool BedRecorder::sample(const Model& model, double time) {
+bool BedRecorder::sample(const Model& model, double time, double superficial_velocity) {
   const dem::Particles& particles = model.particles();
   const dem::Engine& engine = model.engine();
   const std::optional<std::size_t> dropped = model.dropped();
@@ -76,6 +76,7 @@ bool BedRecorder::sample(const Model& model, double time) {
   sample_contact_forces(model, time);
   bed.maximum_overlap.push_back(engine.maximum_overlap());
   bed.foreign_present.push_back(dropped ? 1.0 : 0.0);
+  bed.superficial_velocity.push_back(superficial_velocity);
   return true;
 }
 

@@ -16,8 +16,9 @@ class BedRecorder {
   /// rest.
   void measure_packed_bed(const Model& model, bool in_liquid);
   /// One sample, `time` [s] after the start of fluidisation; all but the force balance. False, and no sample, if no
-  /// sphere of the bed is left. Warns once if the contact network is too stiff for the spheres' time step.
-  bool sample(const Model& model, double time);
+  /// sphere of the bed is left; \param superficial_velocity of the liquid that enters [m/s]. Warns once if the contact
+  /// network is too stiff for the spheres' time step.
+  bool sample(const Model& model, double time, double superficial_velocity);
 
  private:
   void sample_contact_forces(const Model& model, double time);

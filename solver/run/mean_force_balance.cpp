@@ -31,7 +31,8 @@ void MeanForceBalance::end_step(const Model& model) {
   now.force[ForceBalance::shear] = liquid.stress;
   now.force[ForceBalance::flow] = liquid.inflow - liquid.outflow;
   now.force[ForceBalance::sphere_inertia] = -(model.sphere_momentum() - sphere_momentum_) / scene_.fluid.time_step;
-  now.force[ForceBalance::liquid_inertia] = -(momentum - before) / scene_.fluid.time_step;
+  now.force[ForceBalance::liquid_inertia] =
+      liquid.momentum_rate ? -*liquid.momentum_rate : -(momentum - before) / scene_.fluid.time_step;
   for (std::size_t t = 0; t < ForceBalance::terms; ++t) sum_.force[t] += now.force[t];
   ++steps_;
   largest_residual_ = std::max(largest_residual_, std::abs(now.residual() / now.force[ForceBalance::buoyant_weight]));

@@ -68,6 +68,10 @@ void Model::release(const Species& species, double height) {
 
 bool Model::dropped_sphere_at_bottom() const { return dropped_ && engine_.touches_wall(*dropped_, 0); }
 
+bool Model::dropped_sphere_above_top() const {
+  return dropped_ && particles().position.z[*dropped_] >= scene_.geometry.height;
+}
+
 void Model::take_out_dropped() {
   engine_.remove_particle(*dropped_);
   flowing_->sphere_removed(*dropped_);
@@ -89,7 +93,7 @@ std::int64_t Model::remove_above_top() {
 double Model::sphere_momentum() const {
   double sum = 0.0;
   for (std::size_t i = 0; i < particles().size(); ++i) sum += particles().mass[i] * particles().velocity.z[i];
-  return sum;
+  return sum + flowing_->momentum_on_its_way(particles(), 2);
 }
 
 }  // namespace slfb::simulation

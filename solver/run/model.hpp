@@ -36,6 +36,9 @@ class Model {
   /// fluid::FluidError if the motion or the liquid breaks down.
   std::int64_t advance(Surroundings surroundings);
 
+  /// Superficial velocity of the liquid from the next step on [m/s].
+  void set_superficial_velocity(double velocity) { liquid_->set_superficial_velocity(velocity); }
+
   /// Whether a sphere of `species` has room with its centre on the axis at `height` [m].
   [[nodiscard]] bool has_room(const Species& species, double height) const;
   /// Puts the dropped sphere in, at rest, there.
@@ -43,6 +46,8 @@ class Model {
   /// Index of the dropped sphere, if it is in the column.
   [[nodiscard]] std::optional<std::size_t> dropped() const { return dropped_; }
   [[nodiscard]] bool dropped_sphere_at_bottom() const;
+  /// Whether its centre is above the column's height.
+  [[nodiscard]] bool dropped_sphere_above_top() const;
   void take_out_dropped();
   /// Takes out all spheres of the bed above the column's height; returns how many.
   std::int64_t remove_above_top();
@@ -60,7 +65,7 @@ class Model {
     return engine_.take_deepest_contact();
   }
 
-  /// Σ m v_z of the spheres [kg m/s].
+  /// Σ m v_z of the spheres, with what their added mass has on its way to the liquid [kg m/s].
   [[nodiscard]] double sphere_momentum() const;
 
   /// Everything that the next step depends on.

@@ -27,9 +27,8 @@ void Recorder::record() {
   const double time = schedule_.fluidised_seconds();
   const Recording& recording = scene_.recording;
   if (schedule_.due(recording.bed_interval)) {
-    if (bed_.sample(model_, time)) balance_.take(result_.bed);
-    if (schedule_.stage().kind == StageKind::fluidise && schedule_.in_second_half())
-      liquid_.sample_fluctuation(model_, time);
+    if (bed_.sample(model_, time, scene_.superficial_velocity(schedule_.stage()))) balance_.take(result_.bed);
+    if (schedule_.in_last_fluidisation() && schedule_.in_second_half()) liquid_.sample_fluctuation(model_, time);
   }
   if (recording.snapshot_interval > 0.0 && schedule_.due(recording.snapshot_interval)) write_snapshot();
 }
@@ -47,7 +46,7 @@ void Recorder::record_drop(const DropProtocol& drops, bool at_bottom, bool over)
 
 void Recorder::stage_ended() {
   if (schedule_.stage().kind == StageKind::settle) bed_.measure_packed_bed(model_, !schedule_.stage().dry);
-  if (schedule_.stage().kind == StageKind::fluidise) liquid_.finish(model_, schedule_.fluidised_seconds());
+  if (schedule_.in_last_fluidisation()) liquid_.finish(model_, schedule_.fluidised_seconds());
 }
 
 void Recorder::write_snapshot() const {

@@ -5,6 +5,12 @@
 
 namespace slfb::simulation {
 
+bool Schedule::in_last_fluidisation() const {
+  if (stage().kind != StageKind::fluidise) return false;
+  const auto next = static_cast<std::size_t>(stage_) + 1;
+  return next >= stages_.size() || stages_[next].kind != StageKind::fluidise;
+}
+
 void Schedule::count_step() {
   ++steps_;
   if (stage().kind != StageKind::settle) ++fluidised_steps_;

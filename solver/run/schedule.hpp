@@ -22,6 +22,8 @@ class Schedule {
   [[nodiscard]] bool finished() const { return stage_ >= static_cast<std::int64_t>(stages_.size()); }
   /// The present stage; only before finished().
   [[nodiscard]] const Stage& stage() const { return stages_[static_cast<std::size_t>(stage_)]; }
+  /// Whether the present stage is the last one that fluidises the bed.
+  [[nodiscard]] bool in_last_fluidisation() const;
   void count_step();
   void next_stage();
 

@@ -8,6 +8,7 @@
 #include <stdexcept>
 
 #include "solver/coupling/drag_relaxation.hpp"
+#include "solver/coupling/force_balance.hpp"
 #include "solver/laws/user_law.hpp"
 #include "solver/run/checkpoint_files.hpp"
 #include "solver/run/drop_protocol.hpp"
@@ -36,7 +37,9 @@ class Simulation {
   void resume();
   /// False if the run was stopped from outside.
   bool run_stage();
+  void set_superficial_velocity();
   void advance();
+  void take_out(std::int64_t removed);
   void advance_drop();
   void warn_of_deep_overlaps();
   void release_if_free();
@@ -55,6 +58,7 @@ class Simulation {
   ProgressReporter progress_;
   RunCost cost_;
   double warned_overlap_ = 0.5 * dem::Engine::deep_overlap;  ///< over the radius: twice this is told next
+  double superficial_velocity_;  ///< that the liquid has been given [m/s]
   std::chrono::steady_clock::time_point last_save_ = std::chrono::steady_clock::now();
 };
 
@@ -68,10 +72,13 @@ Simulation::Simulation(const Scene& scene, const RunOptions& options)
       recorder_(scene, model_, schedule_, options.directory, result_),
       checkpoints_(options.directory, result_.name),
       progress_(options.progress, options.progress_interval),
-      cost_(options.threads) {}
+      cost_(options.threads),
+      superficial_velocity_(scene.first_superficial_velocity()) {}
 
 RunOutcome Simulation::run() {
   std::filesystem::create_directories(options_.directory);
+  if (const auto reason = coupling::imbalance_of_forces(scene_); !reason.empty())
+    spdlog::warn("{}: {}", scene_.title, reason);
   model_.fill();
   resume();
   try {
@@ -88,6 +95,7 @@ RunOutcome Simulation::run() {
 
 bool Simulation::run_stage() {
   const bool drop = schedule_.stage().kind == StageKind::drop;
+  if (schedule_.steps() == 0) set_superficial_velocity();
   if (drop && schedule_.steps() == 0) {
     drops_.begin();
     release_if_free();
@@ -103,6 +111,15 @@ bool Simulation::run_stage() {
   return true;
 }
 
+/// To that of the present stage, where it differs from that of the stage before.
+void Simulation::set_superficial_velocity() {
+  if (schedule_.stage().kind == StageKind::settle) return;
+  const double velocity = scene_.superficial_velocity(schedule_.stage());
+  if (velocity == superficial_velocity_) return;
+  superficial_velocity_ = velocity;
+  model_.set_superficial_velocity(velocity);
+}
+
 /// One liquid step, and what is recorded of it.
 void Simulation::advance() {
   const StageKind kind = schedule_.stage().kind;
@@ -113,13 +130,15 @@ void Simulation::advance() {
   warn_of_deep_overlaps();
   if (kind == StageKind::settle) return;
   recorder_.end_step();
-  if (scene_.outlet.rule == OutletRule::remove) {
-    const std::int64_t removed = model_.remove_above_top();
-    if (removed > 0) recorder_.spheres_changed();
-    result_.particles_removed += removed;
-  }
   recorder_.record();
   if (kind == StageKind::drop) advance_drop();
+  if (scene_.outlet.rule == OutletRule::remove) take_out(model_.remove_above_top());
+}
+
+/// Counts spheres that have left through the outlet.
+void Simulation::take_out(std::int64_t removed) {
+  if (removed > 0) recorder_.spheres_changed();
+  result_.particles_removed += removed;
 }
 
 /// At the first deep overlap, and whenever the deepest has doubled since it was told.
@@ -142,9 +161,16 @@ void Simulation::warn_of_deep_overlaps() {
 void Simulation::advance_drop() {
   drops_.count_step();
   if (drops_.falling()) {
-    const bool at_bottom = model_.dropped_sphere_at_bottom(), over = at_bottom || drops_.fall_is_over();
+    const bool at_bottom = model_.dropped_sphere_at_bottom(),
+               gone = scene_.outlet.rule == OutletRule::remove && model_.dropped_sphere_above_top(),
+               over = at_bottom || gone || drops_.fall_is_over();
     recorder_.record_drop(drops_, at_bottom, over);
     if (!over) return;
+    if (gone) {
+      spdlog::warn("{}: the {} sphere has left through the outlet {:.3f} s after its release", scene_.title,
+                   schedule_.stage().species, drops_.fall_seconds());
+      take_out(1);
+    }
     model_.take_out_dropped();
     drops_.taken_out();
     recorder_.spheres_changed();
@@ -170,6 +196,8 @@ void Simulation::release_if_free() {
 
 void Simulation::exchange(io::StateGroup& state) {
   state.part("schedule", [&](io::StateGroup& group) { schedule_.exchange(group); });
+  // What follows is read by a liquid that already has the velocity of its stage.
+  if (state.reading() && !schedule_.finished()) set_superficial_velocity();
   state.part("drops", [&](io::StateGroup& group) { drops_.exchange(group); });
   model_.exchange(state);
   recorder_.exchange(state);

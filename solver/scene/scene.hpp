@@ -19,6 +19,7 @@ enum class TimeScheme { euler, second_order };
 enum class VoidFractionScheme { centroid, particle_meshing, exact_overlap };
 enum class MomentumExchange { explicit_in_time, semi_implicit, implicit };
 enum class Interpolation { shares, gradient, trilinear };
+enum class OwnVolume { counted, spread_where_alone };
 enum class PressureVelocity { projection, simple };
 enum class OutletRule { lid, remove };
 enum class StageKind { settle, fluidise, drop };
@@ -123,6 +124,7 @@ struct Contact {
 
 struct Coupling {
   std::string drag_law = "gidaspow-1994";
+  bool drag_times_voidage = false;  ///< the drag of the law is multiplied by α once more (Peng 2014, Eq. 20 as printed)
   VoidFractionScheme void_fraction = VoidFractionScheme::exact_overlap;
   int meshing_pieces = 1214;            ///< particle meshing: pieces per sphere
   double void_fraction_interval = 0.0;  ///< between computations of the void fraction [s]; 0: in every liquid step
@@ -135,6 +137,8 @@ struct Coupling {
   double lubrication_range = 0.0;       ///< gap below which squeezed liquid resists approach [m]; 0: none
   double lubrication_roughness = 5e-6;  ///< gap below which it does not grow any more [m]
   bool disturbance_correction = false;  ///< a sphere's own disturbance of voidage and velocity taken out
+  /// Whether a sphere without neighbours reads its own volume and forces (coupling::LoneSpheres).
+  OwnVolume own_volume = OwnVolume::spread_where_alone;
   double smoothing_length = 0.0;  ///< bandwidth b of the Gaussian exp(−|x|²/b²) that spreads the shares [m]; 0: none
 };
 
@@ -146,6 +150,8 @@ struct Stage {
   StageKind kind = StageKind::settle;
   double duration = 0.0;  ///< [s]; for a drop: the longest wait for one sphere to arrive
   bool dry = false;       ///< settle only: without the liquid, which enters at rest at the end of the stage
+  /// Fluidise only: U_L of a stage that another fluidise stage follows [m/s]; 0: that of the liquid.
+  double superficial_velocity = 0.0;
   // drop only
   std::string species;          ///< the species released
   int repetitions = 1;          ///< spheres released one after the other
@@ -175,6 +181,17 @@ struct Scene {
   std::vector<Stage> stages;
   Recording recording;
   std::uint64_t seed = 1;
+
+  /// U_L in a stage that is not settling, upwards [m/s].
+  [[nodiscard]] double superficial_velocity(const Stage& stage) const {
+    return stage.superficial_velocity > 0.0 ? stage.superficial_velocity : liquid.superficial_velocity;
+  }
+  /// U_L at the start of the first such stage [m/s].
+  [[nodiscard]] double first_superficial_velocity() const {
+    for (const Stage& stage : stages)
+      if (stage.kind != StageKind::settle) return superficial_velocity(stage);
+    return liquid.superficial_velocity;
+  }
 };
 
 /// Raised by hand when a change of the solver changes results by more than round-off; part of each run's name.

@@ -259,19 +259,16 @@ class PhysicsCheck {
       const Stage& stage = stages[i];
       const std::string kind_path = fmt::format("stage[{}].kind", i);
       const std::string kind = fmt::format("\"{}\"", word_of(stage.kind, stage_kinds));
-      // One clock starts with the fluidisation; a second one, or a bed that settles later, would have no time zero.
+      // One clock starts with the fluidisation; a bed that settles later would have no time zero.
       if (i > 0 &&
-          (stage.kind < stages[i - 1].kind || (stage.kind == stages[i - 1].kind && stage.kind != StageKind::drop))) {
-        problem(
-            kind_path, kind,
-            "comes after \"{}\"; allowed is at most one settle, then at most one fluidise, then any number of drops",
-            word_of(stages[i - 1].kind, stage_kinds));
-      }
+          (stage.kind < stages[i - 1].kind || (stage.kind == stages[i - 1].kind && stage.kind == StageKind::settle)))
+        problem(kind_path, kind,
+                "comes after \"{}\"; allowed is at most one settle, then any number of fluidise, then any number of "
+                "drops",
+                word_of(stages[i - 1].kind, stage_kinds));
       if (stage.kind == StageKind::fluidise) {
         fluidised = true;
-        if (scene_.liquid.superficial_velocity == 0.0) {
-          problem(kind_path, kind, "nothing flows; needed is liquid.superficial_velocity greater than zero");
-        }
+        check_superficial_velocity(i);
         if (buoyant_bed_mass() < 0.0)
           problem(kind_path, kind,
                   "the bed is lighter than the liquid: it hangs under the lid, and a flow upwards only presses it "
@@ -285,6 +282,21 @@ class PhysicsCheck {
                 "takes {:.3g} steps of contact.time_step = {} s; allowed are {:g}", steps,
                 shortest(scene_.contact.time_step), most_steps);
     }
+  }
+
+  /// Quantities and claims belong to liquid.superficial_velocity: the bed has it in the end.
+  void check_superficial_velocity(std::size_t i) {
+    const Stage& stage = scene_.stages[i];
+    if (scene_.superficial_velocity(stage) == 0.0)
+      problem(fmt::format("stage[{}].kind", i), fmt::format("\"{}\"", word_of(stage.kind, stage_kinds)),
+              "nothing flows; needed is liquid.superficial_velocity greater than zero");
+    const bool last = i + 1 == scene_.stages.size() || scene_.stages[i + 1].kind != StageKind::fluidise;
+    if (last && stage.superficial_velocity > 0.0 && stage.superficial_velocity != scene_.liquid.superficial_velocity)
+      problem(
+          fmt::format("stage[{}].superficial_velocity", i), with_unit(stage.superficial_velocity, units::velocity),
+          "is that of the last fluidise stage, which flows at liquid.superficial_velocity = {} m/s; allowed is that "
+          "value, or another fluidise stage after this one",
+          shortest(scene_.liquid.superficial_velocity));
   }
 
   void check_drop(std::size_t i, bool fluidised) {

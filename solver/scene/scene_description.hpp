@@ -57,6 +57,11 @@ Presence left_out_if_default(const Value& value, const Value& default_value, boo
   return condition ? left_out_if_default(value, default_value) : optional_if(false, reason);
 }
 
+/// Optional, and not part of the hash while it has the only value that there was when runs were named by their hashes.
+inline Presence left_out_of_name_if(bool only_value_then) {
+  return {Presence::Rule::optional, {}, false, only_value_then};
+}
+
 template <class Enum>
 struct Choice {
   std::string_view word;
@@ -96,6 +101,8 @@ inline constexpr std::array exchanges{Choice{"explicit", MomentumExchange::expli
 inline constexpr std::array interpolations{Choice{"shares", Interpolation::shares},
                                            Choice{"gradient", Interpolation::gradient},
                                            Choice{"trilinear", Interpolation::trilinear}};
+inline constexpr std::array own_volumes{Choice{"counted", OwnVolume::counted},
+                                        Choice{"spread-where-alone", OwnVolume::spread_where_alone}};
 inline constexpr std::array outlet_rules{Choice{"lid", OutletRule::lid}, Choice{"remove", OutletRule::remove}};
 inline constexpr std::array arrangements{Choice{"lattice", Arrangement::lattice}, Choice{"random", Arrangement::random},
                                          Choice{"random-close", Arrangement::random_close}};
@@ -210,6 +217,8 @@ void describe(Visitor& visitor, Scene& scene, const SceneLaws& laws) {
   visitor.section("coupling", [&] {
     auto& coupling = scene.coupling;
     visitor.law("drag_law", coupling.drag_law, optional);
+    visitor.boolean("drag_times_voidage", coupling.drag_times_voidage,
+                    left_out_if_default(coupling.drag_times_voidage, false));
     visitor.choice("void_fraction", coupling.void_fraction, void_fractions, optional);
     visitor.integer("meshing_pieces", coupling.meshing_pieces, one_to_a_million, optional);
     visitor.number("void_fraction_interval", coupling.void_fraction_interval, u::time, not_negative, optional);
@@ -222,6 +231,8 @@ void describe(Visitor& visitor, Scene& scene, const SceneLaws& laws) {
     visitor.number("lubrication_range", coupling.lubrication_range, u::length, not_negative, optional);
     visitor.number("lubrication_roughness", coupling.lubrication_roughness, u::length, positive, optional);
     visitor.boolean("disturbance_correction", coupling.disturbance_correction, optional);
+    visitor.choice("own_volume", coupling.own_volume, own_volumes,
+                   left_out_of_name_if(coupling.own_volume == OwnVolume::counted));
     visitor.number("smoothing_length", coupling.smoothing_length, u::length, not_negative, optional);
   });
   visitor.section("outlet", [&] { visitor.choice("particles", scene.outlet.rule, outlet_rules, optional); });
@@ -248,6 +259,9 @@ void describe(Visitor& visitor, Scene& scene, const SceneLaws& laws) {
     visitor.boolean("dry", stage.dry,
                     left_out_if_default(stage.dry, Stage{}.dry, stage.kind == StageKind::settle,
                                         "it belongs to kind = \"settle\""));
+    visitor.number("superficial_velocity", stage.superficial_velocity, u::velocity, not_negative,
+                   left_out_if_default(stage.superficial_velocity, 0.0, stage.kind == StageKind::fluidise,
+                                       "it belongs to kind = \"fluidise\""));
     visitor.text("species", stage.species, required_if(drop, drop_only));
     visitor.integer("repetitions", stage.repetitions, one_to_a_million, optional_if(drop, drop_only));
     visitor.number("release_height", stage.release_height, u::length, positive, required_if(drop, drop_only));

@@ -11,8 +11,9 @@ namespace slfb::description {
 /// Whether a key must be there, may be there, or has no meaning beside the values read before it.
 struct Presence {
   enum class Rule { required, optional, meaningless } rule;
-  std::string reason;     ///< why it has no meaning: "it belongs to shape = \"box\""
-  bool left_out = false;  ///< of the canonical text, and so of the hash
+  std::string reason;             ///< why it has no meaning: "it belongs to shape = \"box\""
+  bool left_out = false;          ///< of the canonical text, and so of the hash
+  bool left_out_of_name = false;  ///< of the hash alone
 };
 inline const Presence required{Presence::Rule::required, {}};
 inline const Presence optional{Presence::Rule::optional, {}};

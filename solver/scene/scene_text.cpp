@@ -309,7 +309,8 @@ std::string toml_text(std::string_view text) { return as_written(toml::value<std
 /// Writes every key in the order of the description, a law as `law_name` makes it.
 class Writer {
  public:
-  explicit Writer(std::string (*law_name)(const std::string& law)) : law_name_(law_name) {}
+  /// \param for_name what is left out of the hash is not written
+  Writer(std::string (*law_name)(const std::string& law), bool for_name) : law_name_(law_name), for_name_(for_name) {}
 
   template <class Body>
   void section(const std::string& name, Body body) {
@@ -361,16 +362,18 @@ class Writer {
 
  private:
   void line(const std::string& key, std::string_view value, const Presence& presence) {
-    if (presence.rule != Presence::Rule::meaningless && !presence.left_out)
+    if (presence.rule != Presence::Rule::meaningless && !presence.left_out && !(for_name_ && presence.left_out_of_name))
       out_ += fmt::format("{} = {}\n", key, value);
   }
 
   std::string (*law_name_)(const std::string& law);
+  bool for_name_;
   std::string out_;
 };
 
-std::string written(const Scene& scene, const SceneLaws& laws, std::string (*law_name)(const std::string& law)) {
-  Writer writer(law_name);
+std::string written(const Scene& scene, const SceneLaws& laws, std::string (*law_name)(const std::string& law),
+                    bool for_name) {
+  Writer writer(law_name, for_name);
   Scene copy = scene;
   describe(writer, copy, laws);
   return writer.take();
@@ -390,7 +393,7 @@ void fill_quiescent_defaults(Scene& scene) {
 }  // namespace
 
 Scene read_scene(const std::string& text, const std::string& origin, const std::vector<std::string>& overrides,
-                 const SceneLaws& laws) {
+                 const SceneLaws& laws, const Scene& unwritten) {
   toml::table root;
   try {
     root = toml::parse(text, origin);
@@ -403,7 +406,7 @@ Scene read_scene(const std::string& text, const std::string& origin, const std::
   apply_overrides(root, changes, laws);
 
   Problems problems(origin);
-  Scene scene;
+  Scene scene = unwritten;
   Reader reader(root, changes, origin, problems);
   describe(reader, scene, laws);
   reader.finish();
@@ -414,7 +417,8 @@ Scene read_scene(const std::string& text, const std::string& origin, const std::
 }
 
 std::string canonical_text(const Scene& scene, const SceneLaws& laws) {
-  return written(scene, laws, [](const std::string& law) { return law; });
+  return written(
+      scene, laws, [](const std::string& law) { return law; }, false);
 }
 
 std::string hash_of(const Scene& scene, const SceneLaws& laws) {
@@ -424,7 +428,7 @@ std::string hash_of(const Scene& scene, const SceneLaws& laws) {
   physics.recording.checkpoint_interval = Recording{}.checkpoint_interval;
   physics.contact.allow_large_time_step = false;
   const std::string text =
-      written(physics, laws, laws.identity) + fmt::format("numerics_version = {}\n", numerics_version);
+      written(physics, laws, laws.identity, true) + fmt::format("numerics_version = {}\n", numerics_version);
   return fmt::format("{:016x}", XXH3_64bits(text.data(), text.size()));
 }
 

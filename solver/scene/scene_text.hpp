@@ -11,8 +11,9 @@
 namespace slfb::description {
 
 /// Reads, converts to SI and checks. `origin` stands for the file in errors. Throws SceneError.
+/// \param unwritten values of the keys that the text does not have
 Scene read_scene(const std::string& text, const std::string& origin, const std::vector<std::string>& overrides,
-                 const SceneLaws& laws);
+                 const SceneLaws& laws, const Scene& unwritten = {});
 
 /// See canonical_toml() and scene_hash().
 std::string canonical_text(const Scene& scene, const SceneLaws& laws);

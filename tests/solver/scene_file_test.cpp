@@ -255,6 +255,8 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"release_height = \"0.997 m\"", "release_height = \"0.19 m\"", "stage[2].release_height", "\"0.19 m\"",
                 "would start inside the bed"},
         Mistake{"kind = \"fluidise\"", "kind = \"settle\"", "stage[1].kind", "\"settle\"", "at most one settle"},
+        Mistake{"kind = \"fluidise\"", "kind = \"fluidise\"\nsuperficial_velocity = \"0.2 m/s\"",
+                "stage[1].superficial_velocity", "\"0.2 m/s\"", "another fluidise stage after this one"},
         Mistake{"drop_interval = \"1 ms\"", "drop_interval = \"1e-5 s\"", "recording.drop_interval", "\"1e-5 s\"",
                 "shorter than a step"}));
 

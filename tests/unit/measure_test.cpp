@@ -127,6 +127,18 @@ TEST(MeasureKey, TellsRunsFromLaws) {
 
 TEST(MeasureRuns, WithoutRunsThereIsNothing) { EXPECT_TRUE(measured_in({}).empty()); }
 
+// Of a bed that was taken down from a higher velocity only the time after the change is measured.
+TEST(MeasureRuns, LeaveOutEarlierVelocitiesOfTheLiquid) {
+  FinishedRun run = made_up_run(0.06, "a", 0.46, 1450.0, {0.09, 0.10, 0.11});
+  BedSeries& bed = run.result.bed;
+  for (std::size_t k = 0; k < bed.time.size(); ++k) {
+    const bool early = bed.time[k] < 1.0;
+    bed.superficial_velocity.push_back(early ? 0.2 : 0.06);
+    if (early) bed.pressure_drop[k] = 1e4;
+  }
+  EXPECT_NEAR(measured_in({run}).at(measure_key("pressure_drop", "6in5W", 0.06)).value, 1450.0, 1e-9);
+}
+
 TEST(MeasureRuns, NumbersOfAKnownRun) {
   const auto measured = measured_in({made_up_run(0.06, "a", 0.46, 1450.0, {0.09, 0.10, 0.11})});
   const auto at = [&](const std::string& quantity) { return measured.at(measure_key(quantity, "6in5W", 0.06)); };

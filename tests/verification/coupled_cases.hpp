@@ -32,6 +32,7 @@ inline Scene periodic_box(double width, double height, int cells_across, double 
   scene.species = {{"sphere", 0.005, 2230.0, 1}};
   scene.contact.stiffness = 1e3;
   scene.contact.time_step = 1e-4;
+  scene.coupling.own_volume = OwnVolume::counted;  // the plain exchange; lone_spheres_test.cpp has the other
   return scene;
 }
 

@@ -229,12 +229,13 @@ TEST(BedAtRest, HasErgunsPressureDropAtItsVoidage) {
 }
 
 /// Net force on a sphere in the middle of a frozen bed whose every layer holds the same solids.
-double net_force(const std::string& law, double velocity) {
+double net_force(const std::string& law, double velocity, bool drag_times_voidage = false) {
   Scene scene = periodic_box(0.03, 0.12, 1, velocity);
   scene.fluid.tier = FluidTier::one_dimensional;
   scene.fluid.wall = LateralBoundary::slip;
   scene.fluid.cell_height = 0.006;
   scene.coupling.drag_law = law;
+  scene.coupling.drag_times_voidage = drag_times_voidage;
   CoupledCase bed(scene);
   // Whole spheres inside each layer; that some overlap does not matter where nothing moves.
   for (int k = 0; k < 20; ++k)
@@ -262,6 +263,22 @@ TEST(FrozenBed, IsCarriedAtTheLawsRoot) {
         root_of([&](double velocity) { return net_force(name, velocity); }, 0.5 * expected, 2.0 * expected);
     EXPECT_NEAR(found, expected, 1e-3 * expected) << name;
   }
+}
+
+// Eq. 20 of Peng 2014 as printed, α f_d: the bed is carried where α β U/α² is its weight, and what the spheres gain by
+// the drag the liquid has lost.
+TEST(FrozenBed, IsCarriedByTheDragTimesVoidage) {
+  const double solids = 41 * dem::Particles::volume_of(0.0025) / (0.03 * 0.03 * 0.006), voidage = 1.0 - solids;
+  const std::string law = "ergun-1952";
+  const double expected = root_of(
+      [&](double velocity) {
+        const double beta = 150.0 * solids * solids * 1e-3 / (voidage * 0.005 * 0.005) +
+                            1.75 * solids * 998.2 * velocity / voidage / 0.005;
+        return beta * velocity / voidage - solids * (2230.0 - 998.2) * gravitational_acceleration;
+      },
+      1e-4, 1.0);
+  EXPECT_NEAR(root_of([&](double velocity) { return net_force(law, velocity, true); }, 0.5 * expected, 2.0 * expected),
+              expected, 1e-3 * expected);
 }
 
 Scene small_bed(double fluid_step) {

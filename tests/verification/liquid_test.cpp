@@ -345,22 +345,44 @@ dem::Engine lattice(const Scene& scene, double spacing, double density) {
 // Newton's third law over one step: the impulse on the spheres is what the liquid lost.
 // The spheres' side is summed over spheres, the liquid's over its momentum nodes.
 TEST(Coupling, WhatTheSpheresGainTheLiquidLoses) {
-  Scene scene = water_column(0.06);
-  fluid::ThreeDimensionalLiquid liquid(scene);
-  dem::Engine engine = lattice(scene, 0.0061, 2230);
-  for (std::size_t i = 0; i < engine.particles.size(); ++i) {
-    engine.particles.velocity.x[i] = 0.02 * std::sin(static_cast<double>(i));
-    engine.particles.velocity.z[i] = 0.05 * std::cos(3.0 * static_cast<double>(i));
-  }
-  coupling::PhaseCoupling exchange(scene, liquid, find_drag_law(scene.coupling.drag_law));
-  exchange.advance(engine, scene.fluid.time_step);
-  for (std::size_t a : {std::size_t{0}, std::size_t{1}, std::size_t{2}}) {
-    double on_spheres = 0.0, magnitude = 0.0;
+  for (const bool times_voidage : {false, true}) {
+    Scene scene = water_column(0.06);
+    scene.coupling.drag_times_voidage = times_voidage;
+    fluid::ThreeDimensionalLiquid liquid(scene);
+    dem::Engine engine = lattice(scene, 0.0061, 2230);
     for (std::size_t i = 0; i < engine.particles.size(); ++i) {
-      on_spheres += exchange.drag_force(i, a);
-      magnitude += std::abs(exchange.drag_force(i, a));
+      engine.particles.velocity.x[i] = 0.02 * std::sin(static_cast<double>(i));
+      engine.particles.velocity.z[i] = 0.05 * std::cos(3.0 * static_cast<double>(i));
     }
-    EXPECT_NEAR(on_spheres, exchange.drag_taken_from_liquid(a), 1e-12 * magnitude) << a;
+    coupling::PhaseCoupling exchange(scene, liquid, find_drag_law(scene.coupling.drag_law));
+    exchange.advance(engine, scene.fluid.time_step);
+    for (std::size_t a : {std::size_t{0}, std::size_t{1}, std::size_t{2}}) {
+      double on_spheres = 0.0, magnitude = 0.0;
+      for (std::size_t i = 0; i < engine.particles.size(); ++i) {
+        on_spheres += exchange.drag_force(i, a);
+        magnitude += std::abs(exchange.drag_force(i, a));
+      }
+      EXPECT_NEAR(on_spheres, exchange.drag_taken_from_liquid(a), 1e-12 * magnitude) << a;
+    }
+  }
+}
+
+// The steady flow through an empty column follows its inlet to another velocity, in every tier that solves for it.
+TEST(Liquid, FollowsItsInlet) {
+  for (const FluidTier tier : {FluidTier::one_dimensional, FluidTier::three_dimensional}) {
+    Scene scene = water_column(0.05);
+    scene.fluid.tier = tier;
+    scene.fluid.wall = LateralBoundary::slip;
+    const auto liquid = solved_liquid(scene);
+    const auto volume = liquid_volumes(liquid->grid(), [](const Point&) { return 1.0; });
+    const auto none = no_exchange(*liquid);
+    for (int k = 0; k < 3; ++k) liquid->advance(scene.fluid.time_step, volume, volume, none);
+    liquid->set_superficial_velocity(0.02);
+    for (int k = 0; k < 3; ++k) liquid->advance(scene.fluid.time_step, volume, volume, none);
+    const auto& velocity = liquid->velocity(2);
+    const auto [slowest, fastest] = std::minmax_element(velocity.begin(), velocity.end());
+    EXPECT_NEAR(*slowest, 0.02, 1e-6);
+    EXPECT_NEAR(*fastest, 0.02, 1e-6);
   }
 }
 

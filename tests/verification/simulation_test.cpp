@@ -148,6 +148,63 @@ TEST_P(Resumption, ContinuesAfterAStopAsIfNothingHadHappened) {
 
 INSTANTIATE_TEST_SUITE_P(Simulation, Resumption, testing::Values(0.0, 2e-3));
 
+class ExpandedBed : public testing::TestWithParam<FluidTier> {};
+
+// A bed is fluidised high and then taken down, with a stop on the way: it sinks, no momentum is lost when the liquid's
+// velocity changes, and a run that was stopped knows the velocity of its stage.
+TEST_P(ExpandedBed, IsTakenDownByASecondStage) {
+  Scene scene = small_bed(0.05);
+  scene.fluid.tier = GetParam();
+  scene.species.resize(1);
+  scene.stages = {scene.stages[0], scene.stages[1], scene.stages[1]};
+  scene.stages[1].superficial_velocity = 0.14;
+  scene.stages[1].duration = 0.8;
+  scene.stages[2].duration = 0.6;
+  scene.recording.bed_interval = scene.fluid.time_step;
+  validate_scene(scene);
+  const RunResult whole = run(scene, "whole", 1);
+  const BedSeries& bed = whole.bed;
+  ASSERT_EQ(bed.superficial_velocity.size(), bed.time.size());
+  for (std::size_t k = 0; k < bed.time.size(); ++k)
+    ASSERT_EQ(bed.superficial_velocity[k], bed.time[k] < 0.8005 ? 0.14 : 0.05) << bed.time[k];
+  const auto change = static_cast<std::size_t>(std::ranges::find(bed.superficial_velocity, 0.05) -
+                                               bed.superficial_velocity.begin());
+  EXPECT_LT(bed.centre_of_mass_height.back(), 0.9 * bed.centre_of_mass_height[change]);
+  EXPECT_LT(*std::max_element(bed.balance_residual.begin(), bed.balance_residual.end()), 1e-6);
+
+  RunOptions options;
+  options.directory = fresh_folder("interrupted");
+  for (const double moment : {1.1, 1.5, 1e9}) {
+    std::atomic<bool> stop = false;
+    options.stop = &stop;
+    options.progress = [&](const Progress& progress) { stop = stop || progress.simulated_seconds > moment; };
+    options.progress_interval = 0.0;
+    const RunOutcome outcome = run_scene(scene, options);
+    if (outcome.status == RunStatus::interrupted) continue;
+    EXPECT_EQ(outcome.result.bed.centre_of_mass_height.back(), bed.centre_of_mass_height.back());
+    EXPECT_EQ(outcome.result.bed.pressure_drop.back(), bed.pressure_drop.back());
+    EXPECT_EQ(outcome.result.simulated_seconds, whole.simulated_seconds);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Simulation, ExpandedBed,
+                         testing::Values(FluidTier::one_dimensional, FluidTier::three_dimensional));
+
+// In a liquid of given velocity a sphere hangs where the liquid rises with its terminal velocity, and falls when the
+// liquid slows down.
+TEST(Simulation, ASphereInAGivenLiquidFollowsTheStages) {
+  Scene scene = small_bed(0.1);
+  scene.fluid.tier = FluidTier::quiescent;
+  scene.species = {{"glass", 0.005, 2230, 1}};
+  scene.stages = {scene.stages[1], scene.stages[1]};
+  scene.stages[0].superficial_velocity = 0.6;  // above its terminal velocity
+  const RunResult result = run(scene, "stages", 1);
+  const auto& height = result.bed.centre_of_mass_height;
+  const std::size_t half = height.size() / 2;
+  EXPECT_GT(height[half - 1], height.front());
+  EXPECT_LT(height.back(), height[half]);
+}
+
 // A fluidised bed is carried by the liquid: Δp A is its buoyant weight, less what walls and distributor bear.
 TEST(Simulation, LiquidCarriesTheBed) {
   Scene scene = small_bed(0.1);
@@ -173,6 +230,44 @@ TEST(Simulation, ExcessiveFlowCarriesSpheresOutAndCountsThem) {
   scene.stages[1].duration = 1.0;
   const RunResult result = run(scene, "wash_out", 1);
   EXPECT_EQ(result.particles_removed, 250);
+}
+
+// Spheres leave in steps of snapshots, and in the last step of the stage: both still show the void fraction.
+TEST(Simulation, RecordsTheLiquidWhileSpheresLeave) {
+  Scene scene = small_bed(1.0);
+  scene.outlet.rule = OutletRule::remove;
+  scene.stages.resize(2);
+  scene.stages[1].duration = 0.3;
+  scene.recording.snapshot_interval = scene.fluid.time_step;
+  const RunResult result = run(scene, "leaving", 1);
+  EXPECT_GT(result.particles_removed, 0);
+  const auto cells = result.plane.x.size() * result.plane.z.size();
+  EXPECT_GT(cells, 0u);
+  EXPECT_EQ(result.plane.voidage.size(), cells);
+}
+
+// A light sphere is carried out of the column: it is taken out there and counted, and the next one is released.
+TEST(Simulation, ADroppedSphereLeavesThroughTheOutlet) {
+  for (const FluidTier tier : {FluidTier::quiescent, FluidTier::one_dimensional, FluidTier::three_dimensional}) {
+    Scene scene = small_bed(0.3);
+    scene.fluid.tier = tier;
+    scene.outlet.rule = OutletRule::remove;
+    scene.species = {{"light", 0.003, 1100, 0}};
+    scene.stages = {scene.stages[1], scene.stages[2]};
+    scene.stages[0].duration = 0.1;
+    scene.stages[1].species = "light";
+    scene.stages[1].release_height = 0.15;
+    scene.stages[1].duration = 3.0;
+    const RunResult result = run(scene, "light", 1);
+    EXPECT_EQ(result.particles_removed, 2);
+    ASSERT_EQ(result.drops.size(), 2u);
+    for (const DropSeries& drop : result.drops) {
+      ASSERT_FALSE(drop.z.empty());
+      EXPECT_GE(drop.z.back(), 0.99 * scene.geometry.height);
+      EXPECT_LT(*std::max_element(drop.z.begin(), drop.z.end()), scene.geometry.height + 0.3 * 1e-3);
+      EXPECT_LT(drop.bottom_time, 0.0);
+    }
+  }
 }
 
 TEST(Simulation, SavesItsStateWhenItBreaksDown) {

@@ -13,7 +13,7 @@
 #include "correlations/materials.hpp"
 #include "experiments/runs/run_estimate.hpp"
 #include "solver/dem/particles.hpp"
-#include "solver/laws/user_law.hpp"
+#include "solver/laws/scene_drag_law.hpp"
 #include "solver/run/one_particle.hpp"
 
 namespace slfb::plan {
@@ -37,14 +37,13 @@ double bed_spheres(const Scene& scene) {
 }
 
 double terminal_velocity(const Scene& scene, const Species& sphere) {
-  return fluidisation::superficial_velocity(find_drag_law(scene.coupling.drag_law), sphere_of(sphere), liquid_of(scene),
-                                            1.0);
+  return fluidisation::superficial_velocity(scene_drag_law(scene), sphere_of(sphere), liquid_of(scene), 1.0);
 }
 
 /// Velocity that lifts the packed bed [m/s].
 double minimum_velocity(const Scene& scene) {
-  return fluidisation::minimum_fluidisation_velocity(
-      find_drag_law(scene.coupling.drag_law), sphere_of(leading_species(scene)), liquid_of(scene), packed_voidage);
+  return fluidisation::minimum_fluidisation_velocity(scene_drag_law(scene), sphere_of(leading_species(scene)),
+                                                     liquid_of(scene), packed_voidage);
 }
 
 /// 1, 2 or 5 times a power of ten, never above the value: steps that people can read.

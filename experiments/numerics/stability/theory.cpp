@@ -10,7 +10,7 @@
 #include "correlations/materials.hpp"
 #include "experiments/numerics/stability/map.hpp"
 #include "solver/dem/particles.hpp"
-#include "solver/laws/user_law.hpp"
+#include "solver/laws/scene_drag_law.hpp"
 
 namespace slfb::stability {
 namespace {
@@ -19,7 +19,7 @@ using Formula = std::function<double(const Scene&, const studies::Parameters&)>;
 
 double superficial_velocity(const Scene& scene, double voidage) {
   const Species& sphere = scene.species.front();
-  return fluidisation::superficial_velocity(find_drag_law(scene.coupling.drag_law), {sphere.diameter, sphere.density},
+  return fluidisation::superficial_velocity(scene_drag_law(scene), {sphere.diameter, sphere.density},
                                             {scene.liquid.density, scene.liquid.viscosity}, voidage);
 }
 
@@ -47,7 +47,7 @@ const std::vector<std::pair<std::string, Formula>>& formulas() {
       {"explicit-exchange-of-bed",
        [](const Scene& scene, const studies::Parameters&) {
          const Species& sphere = scene.species.front();
-         const auto law = find_drag_law(scene.coupling.drag_law);
+         const auto law = scene_drag_law(scene);
          const LiquidProperties liquid{scene.liquid.density, scene.liquid.viscosity};
          const auto [voidage, regime] = fluidisation::bed_voidage(law, {sphere.diameter, sphere.density}, liquid,
                                                                   scene.liquid.superficial_velocity, 0.4);

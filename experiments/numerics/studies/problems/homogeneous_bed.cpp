@@ -1,6 +1,6 @@
 #include "correlations/fluidisation/bed_expansion.hpp"
 #include "experiments/numerics/studies/problems/problem_list.hpp"
-#include "solver/laws/user_law.hpp"
+#include "solver/laws/scene_drag_law.hpp"
 #include "solver/support/processor.hpp"
 
 namespace slfb::studies {
@@ -13,9 +13,9 @@ TrialResult solve(const Scene& scene, const Parameters&, int) {
   const Species& sphere = scene.species.front();
   const double start = thread_cpu_seconds();
   constexpr double packed_voidage = 0.4;
-  const auto [voidage, regime] = fluidisation::bed_voidage(
-      find_drag_law(scene.coupling.drag_law), {sphere.diameter, sphere.density},
-      {scene.liquid.density, scene.liquid.viscosity}, scene.liquid.superficial_velocity, packed_voidage);
+  const auto [voidage, regime] = fluidisation::bed_voidage(scene_drag_law(scene), {sphere.diameter, sphere.density},
+                                                           {scene.liquid.density, scene.liquid.viscosity},
+                                                           scene.liquid.superficial_velocity, packed_voidage);
   TrialResult result;
   using enum fluidisation::BedRegime;
   result.values["voidage"].value = voidage;
