@@ -28,14 +28,14 @@ std::optional<FinishedRun> published_run(const RunSpec& spec, const Scene& scene
     run.result = load_result(file);
     if (const auto numbers = published_summary(spec); std::filesystem::exists(numbers))
       run.summary = load_summary(numbers);
-  } catch (const std::runtime_error& error) {
+    run.stale = run.result.numerics != numerics_version || run.result.name != scene_hash(scene);
+    // An older result is analysed with the scene it was made from.
+    if (run.stale) run.scene = parse_scene(run.result.scene_text, file.string());
+  } catch (const std::exception& error) {
     // Written by an earlier version of the suite, it may lack what this one reads.
     spdlog::warn("left out a published result: {}", error.what());
     return std::nullopt;
   }
-  run.stale = run.result.numerics != numerics_version || run.result.name != scene_hash(scene);
-  // An older result is analysed with the scene it was made from.
-  if (run.stale) run.scene = parse_scene(run.result.scene_text, file.string());
   return run;
 }
 

@@ -43,6 +43,7 @@ Ending run_task(const Task& task, std::size_t number, const CampaignOptions& opt
       display.end(number, fmt::format("{}: finished by another slfb", task.label));
       return Ending::finished;
     }
+    for (const auto& folder : {directory, directory / "snapshots"}) remove_unfinished(folder);
     write_file(directory / "scene.toml", canonical_toml(*task.scene));
     for (const auto& [law, name] : {std::pair{task.scene->coupling.drag_law, "drag_law.cpp"},
                                     std::pair{task.scene->contact.law, "contact_law.cpp"}})

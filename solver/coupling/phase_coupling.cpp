@@ -43,7 +43,7 @@ NamedFields PhaseCoupling::state() const {
 
 void PhaseCoupling::restore(const NamedFields& state, const dem::Particles& particles) {
   volumes_.restore(state, particles.radius);
-  beyond_drag_.restore(part_of(state, "forces_beyond_drag"));
+  beyond_drag_.restore(part_of(state, "forces_beyond_drag"), particles.size());
   cells_valid_ = velocity_is_gathered_ = false;
 }
 
