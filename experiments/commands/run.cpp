@@ -4,9 +4,11 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <limits>
 #include <map>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
 #include <thread>
 #include <vector>
@@ -61,9 +63,9 @@ int print_plan(const Options& options, const Scene& scene) {
                     {"hash", hash},
                     {"spheres", estimate.spheres},
                     {"liquid_cells", estimate.liquid_cells},
-                    {"steps_per_contact", estimate.steps_per_contact},
+                    {"steps_per_contact", number_or_null(estimate.steps_per_contact)},
                     {"dem_time_step", scene.contact.time_step},
-                    {"dem_time_step_bound", estimate.time_step_bound},
+                    {"dem_time_step_bound", number_or_null(estimate.time_step_bound)},
                     {"liquid_time_step", scene.fluid.time_step},
                     {"simulated_seconds", estimate.simulated_seconds},
                     {"simulated_seconds_at_most", estimate.longest_seconds},
@@ -80,9 +82,15 @@ int print_plan(const Options& options, const Scene& scene) {
   line("hash", hash);
   line("spheres", fmt::format("{}", estimate.spheres));
   line("liquid cells", fmt::format("{}", estimate.liquid_cells));
-  line("steps per contact", fmt::format("{:.1f} of {:.3g} s", estimate.steps_per_contact, scene.contact.time_step));
-  line("bound of the step", fmt::format("{:.3g} s (1/ω_0 of the stiffest pair)", estimate.time_step_bound));
-  const double relaxation = coupling::packed_relaxation_time(scene, find_drag_law(scene.coupling.drag_law));
+  if (std::isnan(estimate.time_step_bound)) {
+    line("bound of the step", "unknown: contact.law is a file, and --dry-run runs no code of it");
+  } else {
+    line("steps per contact", fmt::format("{:.1f} of {:.3g} s", estimate.steps_per_contact, scene.contact.time_step));
+    line("bound of the step", fmt::format("{:.3g} s (1/ω_0 of the stiffest pair)", estimate.time_step_bound));
+  }
+  const double relaxation = is_user_law(scene.coupling.drag_law)
+                                ? std::numeric_limits<double>::infinity()
+                                : coupling::packed_relaxation_time(scene, find_drag_law(scene.coupling.drag_law));
   line("liquid step", fmt::format("{:.3g} s", scene.fluid.time_step) +
                           (scene.fluid.time_step > relaxation
                                ? fmt::format(", longer than the {:.2g} s in which drag stops a sphere of the packed "
@@ -188,6 +196,8 @@ const char* status_of(const CampaignOutcome& outcome) {
 
 /// Returns the exit status.
 int run(const Options& options) {
+  std::optional<NoForeignCode> guard;
+  if (options.dry_run) guard.emplace();
   Scene scene = load_scene(options.scene, options.overrides);
   if (options.planned) {
     const plan::Plan made =

@@ -32,6 +32,18 @@ struct Task {
 
 enum class Ending { finished, failed, interrupted };
 
+/// Writes a scene with its laws from files beside it, so that the folder alone can be run again.
+void archive_scene(const Scene& scene, const std::filesystem::path& directory) {
+  Scene archived = scene;
+  for (auto& [law, name] : {std::pair<std::string&, std::string>{archived.coupling.drag_law, "drag_law.cpp"},
+                            std::pair<std::string&, std::string>{archived.contact.law, "contact_law.cpp"}}) {
+    if (!is_user_law(law)) continue;
+    write_file(directory / name, user_law_text(law));
+    law = name;
+  }
+  write_file(directory / "scene.toml", canonical_toml(archived));
+}
+
 /// Runs one task and reports how it ended; `failure` is why where it failed.
 Ending run_task(const Task& task, std::size_t number, const CampaignOptions& options, const std::atomic<bool>& stop,
                 ProgressDisplay& display, std::string& failure) {
@@ -44,11 +56,7 @@ Ending run_task(const Task& task, std::size_t number, const CampaignOptions& opt
       return Ending::finished;
     }
     for (const auto& folder : {directory, directory / "snapshots"}) remove_unfinished(folder);
-    write_file(directory / "scene.toml", canonical_toml(*task.scene));
-    for (const auto& [law, name] : {std::pair{task.scene->coupling.drag_law, "drag_law.cpp"},
-                                    std::pair{task.scene->contact.law, "contact_law.cpp"}})
-      if (is_user_law(law))
-        std::filesystem::copy_file(law, directory / name, std::filesystem::copy_options::overwrite_existing);
+    archive_scene(*task.scene, directory);
     if (std::filesystem::exists(directory / "checkpoint.h5")) {
       display.message(fmt::format("{}: goes on from its last checkpoint", task.label));
     }

@@ -4,10 +4,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "solver/fluid/column_grid.hpp"
 #include "solver/laws/scene_file.hpp"
+#include "solver/laws/user_law.hpp"
 
 namespace slfb {
 namespace {
@@ -23,7 +25,10 @@ RunEstimate estimate_run(const Scene& scene) {
   RunEstimate estimate;
   for (const Species& species : scene.species) estimate.spheres += species.count;
   estimate.liquid_cells = liquid_cells(scene);
-  estimate.time_step_bound = contact_time_step_bound(scene);
+  // In a look without running, a law from a file tells nothing.
+  estimate.time_step_bound = is_user_law(scene.contact.law) && NoForeignCode::holds()
+                                 ? std::numeric_limits<double>::quiet_NaN()
+                                 : contact_time_step_bound(scene);
   estimate.steps_per_contact = std::numbers::pi * estimate.time_step_bound / scene.contact.time_step;
 
   bool dropping = false;

@@ -4,6 +4,8 @@
 
 #include <stdexcept>
 
+#include "solver/laws/user_law.hpp"
+
 namespace slfb {
 
 Scene load_run_scene(const RunSpec& spec) { return load_scene(spec.scene, spec.overrides); }
@@ -52,6 +54,7 @@ std::filesystem::path published_summary(const RunSpec& spec) { return published(
 void publish_result(const RunSpec& spec, const RunResult& result, bool whole, const MeasuringRules& rules) {
   const auto file = published_file(spec);
   std::filesystem::create_directories(file.parent_path());
+  const NoForeignCode guard;  // the text of a result may be anybody's
   save_summary(summarise(spec.system, parse_scene(result.scene_text, result.name), result, rules),
                published_summary(spec), rules);
   RunResult thinned = result;

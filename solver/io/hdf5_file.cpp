@@ -2,21 +2,18 @@
 
 #include <fmt/format.h>
 #include <hdf5.h>
-#include <sys/wait.h>
-#include <unistd.h>
 #include <xxhash.h>
 
 #include <algorithm>
 #include <array>
 #include <atomic>
-#include <cerrno>
-#include <csignal>
 #include <fstream>
 #include <mutex>
 #include <stdexcept>
 #include <string_view>
 #include <utility>
 
+#include "solver/support/child_process.hpp"
 #include "solver/support/files.hpp"
 
 namespace slfb::io {
@@ -515,25 +512,8 @@ void read_with_care(const std::filesystem::path& file, const std::function<void(
   constexpr unsigned patience = 60;  // [s]
   {
     const LibraryLock lock;  // no other thread is within the library when the process is copied
-    const pid_t child = fork();
-    if (child == 0) {
-      for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGALRM}) std::signal(signal, SIG_DFL);
-      alarm(patience);
-      try {
-        read();
-      } catch (const std::exception&) {
-        // The process that asked for it meets the same exception.
-      }
-      _exit(0);
-    }
-    int status = 0;
-    while (child > 0 && waitpid(child, &status, 0) < 0 && errno == EINTR) {
-    }
-    if (child > 0 && status != 0)
-      throw std::runtime_error(fmt::format("{}: damaged: {}", file.string(),
-                                           WIFSIGNALED(status) && WTERMSIG(status) == SIGALRM
-                                               ? fmt::format("reading it takes over {} s", patience)
-                                               : "the HDF5 library crashes when it reads it"));
+    if (const auto trouble = trouble_in_child(read, patience))
+      throw std::runtime_error(fmt::format("{}: damaged: reading it {}", file.string(), *trouble));
   }
   read();
 }

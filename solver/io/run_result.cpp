@@ -101,9 +101,9 @@ constexpr std::array fluctuation_columns{
     Column<Liquid>{"series_y", "m s-1", &Liquid::series_y},
     Column<Liquid>{"series_z", "m s-1", &Liquid::series_z},
     Column<Liquid>{"series_vector", "m s-1", &Liquid::series_vector},
-    Column<Liquid>{"samples_x", "m s-1", &Liquid::samples_x, Storage::float64},
-    Column<Liquid>{"samples_y", "m s-1", &Liquid::samples_y, Storage::float64},
-    Column<Liquid>{"samples_z", "m s-1", &Liquid::samples_z, Storage::float64},
+    Column<Liquid>{"sampled_velocity_x", "m s-1", &Liquid::samples_x, Storage::float64},
+    Column<Liquid>{"sampled_velocity_y", "m s-1", &Liquid::samples_y, Storage::float64},
+    Column<Liquid>{"sampled_velocity_z", "m s-1", &Liquid::samples_z, Storage::float64},
 };
 
 constexpr std::array snapshot_columns{
@@ -128,14 +128,17 @@ void check_length(const Hdf5File& file, const std::string& item, std::size_t len
   if (length != expected) fail(file, item, fmt::format("has {} values instead of {}", length, expected));
 }
 
+std::vector<double> read_column(const Hdf5File& file, const std::string& path) {
+  std::vector<double> values = file.read_doubles(path);
+  if (!std::ranges::all_of(values, [](double value) { return std::isfinite(value); }))
+    fail(file, path, "holds a value that is no finite number");
+  return values;
+}
+
 template <class Columns, class Group>
 void read_columns(const Hdf5File& file, const std::string& group, const Columns& columns, Group& values) {
-  for (const auto& column : columns) {
-    const std::string path = fmt::format("{}/{}", group, column.name);
-    values.*column.values = file.read_doubles(path);
-    for (const double value : values.*column.values)
-      if (!std::isfinite(value)) fail(file, path, "holds a value that is no finite number");
-  }
+  for (const auto& column : columns)
+    values.*column.values = read_column(file, fmt::format("{}/{}", group, column.name));
 }
 
 /// A group whose columns are as long as its first one.
@@ -204,11 +207,11 @@ void check_fluctuation(const Hdf5File& file, const Liquid& liquid) {
   const bool reduced = cells > 0;
   const std::size_t samples = liquid.samples_x.size();
   if (reduced ? samples != 0 : times == 0 ? samples != 0 : samples % times != 0)
-    fail(file, group + "/samples_x", fmt::format("has {} values for {} times", samples, times));
+    fail(file, group + "/sampled_velocity_x", fmt::format("has {} values for {} times", samples, times));
   for (const auto& column : fluctuation_columns) {
     const std::string name = column.name;
     const std::size_t length = (liquid.*column.values).size();
-    const bool of_times = name.starts_with("series"), of_samples = name.starts_with("samples");
+    const bool of_times = name.starts_with("series"), of_samples = name.starts_with("sampled");
     if (name != "time")
       check_length(file, group + "/" + name, length, of_samples ? samples : of_times ? (reduced ? times : 0) : cells);
   }
@@ -312,7 +315,15 @@ RunResult read_result(const Hdf5File& source) {
   read_columns(source, "plane", plane_columns, result.plane);
   check_plane(source, result.plane);
   if (!source.exists("liquid_fluctuation")) return result;  // written before these were recorded
-  read_columns(source, "liquid_fluctuation", fluctuation_columns, result.fluctuation);
+  // Earlier versions called the velocities samples_x; in a result they are reduced and none is left.
+  const auto earlier_names = [](std::string name) {
+    return name.starts_with("sampled_velocity") ? "samples" + name.substr(name.rfind('_')) : name;
+  };
+  const bool earlier = source.exists("liquid_fluctuation/samples_x");
+  for (const auto& column : fluctuation_columns) {
+    const std::string name = earlier ? earlier_names(column.name) : column.name;
+    result.fluctuation.*column.values = read_column(source, "liquid_fluctuation/" + name);
+  }
   check_fluctuation(source, result.fluctuation);
   const std::int64_t snapshots = read_count(source, "snapshots");
   for (std::int64_t i = 0; i < snapshots; ++i) {

@@ -2,9 +2,24 @@
 
 #include <fmt/core.h>
 
+#include <cmath>
+#include <string>
+
 #include "solver/io/vtkhdf.hpp"
 
 namespace slfb::simulation {
+namespace {
+
+/// Decimals of the seconds, three or more, that tell snapshots at this interval [s] apart.
+int decimals(double interval) {
+  constexpr int fewest = 3, most = 12;
+  int digits = fewest;
+  for (double scaled = interval * 1e3; digits < most && std::abs(scaled - std::round(scaled)) > 1e-6; scaled *= 10.0)
+    ++digits;
+  return digits;
+}
+
+}  // namespace
 
 Recorder::Recorder(const Scene& scene, Model& model, const Schedule& schedule, const std::filesystem::path& directory,
                    RunResult& result)
@@ -54,12 +69,14 @@ void Recorder::write_snapshot() const {
   const auto folder = directory_ / "snapshots";
   std::filesystem::create_directories(folder);
   const double time = schedule_.fluidised_seconds();
-  io::write_particles_vtkhdf(folder / fmt::format("particles_{:08.3f}s.vtkhdf", time), model_.particles(), time);
+  const int digits = decimals(static_cast<double>(schedule_.interval_steps(scene_.recording.snapshot_interval)) *
+                              schedule_.time_step());
+  const std::string name = fmt::format("{:0{}.{}f}s.vtkhdf", time, digits + 5, digits);
+  io::write_particles_vtkhdf(folder / ("particles_" + name), model_.particles(), time);
   const fluid::Liquid& liquid = model_.liquid();
   if (liquid.two_way())
-    io::write_liquid_vtkhdf(folder / fmt::format("liquid_{:08.3f}s.vtkhdf", time), liquid.grid(),
-                            model_.coupling().void_fraction(), model_.coupling().cell_velocity(), liquid.pressure(),
-                            time);
+    io::write_liquid_vtkhdf(folder / ("liquid_" + name), liquid.grid(), model_.coupling().void_fraction(),
+                            model_.coupling().cell_velocity(), liquid.pressure(), time);
 }
 
 void Recorder::exchange(io::StateGroup& state) {

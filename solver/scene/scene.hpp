@@ -111,6 +111,8 @@ struct Coupling {
   double lubrication_range = 0.0;       ///< gap below which squeezed liquid resists approach [m]; 0: none
   double lubrication_roughness = 5e-6;  ///< gap below which it does not grow any more [m]
   bool disturbance_correction = false;  ///< a sphere's own disturbance of voidage and velocity taken out
+  /// Of a sphere alone in a quiescent tube: a law of the kind wall_correction (correlations/fluidisation), or "none".
+  std::string wall_retardation = "none";
   double smoothing_length = 0.0;  ///< bandwidth b of the Gaussian exp(−|x|²/b²) that spreads the shares [m]; 0: none
 };
 

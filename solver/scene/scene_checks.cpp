@@ -6,8 +6,11 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <optional>
 #include <stdexcept>
 
+#include "correlations/fluidisation/fluidisation_laws.hpp"
+#include "correlations/law_list.hpp"
 #include "solver/scene/scene_description.hpp"
 
 namespace slfb::description {
@@ -193,10 +196,14 @@ class PhysicsCheck {
       problem("fluid.cell_height", with_unit(fluid.cell_height, units::length),
               "is more than the column; allowed is at most {} m (geometry.height)", shortest(geometry.height));
     }
-    check_cell_size("fluid.cell_height", with_unit(fluid.cell_height, units::length), fluid.cell_height);
+    const double layers = std::max(1.0, std::round(geometry.height / fluid.cell_height));
+    const double height = geometry.height / layers;
+    check_layers(height);
     if (fluid.tier == FluidTier::three_dimensional) {
-      const double extent = geometry.shape == Shape::cylinder ? geometry.diameter : geometry.width[0];
-      check_cell_size("fluid.cells_across", fmt::format("{}", fluid.cells_across), extent / fluid.cells_across);
+      const bool round = geometry.shape == Shape::cylinder;
+      const double x = (round ? geometry.diameter : geometry.width[0]) / fluid.cells_across;
+      const double depth = round ? geometry.diameter : geometry.width[1];
+      check_cell(x, depth / std::max(1.0, std::round(depth / x)), height);
     }
     const double across = fluid.tier == FluidTier::three_dimensional ? fluid.cells_across : 1.0;
     const double deep = geometry.shape == Shape::box ? across * geometry.width[1] / geometry.width[0] : across;
@@ -206,18 +213,45 @@ class PhysicsCheck {
               "makes {:.3g} cells of the column; allowed are {:g}", cells, most_cells);
   }
 
-  /// The averaged equations hold on cells that hold some liquid. A cell below half the smallest sphere can lie inside
-  /// one; and the centroid scheme puts a whole sphere into one cell, which must then have room for the largest.
-  void check_cell_size(const std::string& path, const std::string& value, double size) {
+  [[nodiscard]] double largest_diameter() const {
+    return scene_.species.empty() ? 0.0 : std::ranges::max(scene_.species, {}, &Species::diameter).diameter;
+  }
+
+  /// Layers far thinner than a sphere show nothing but its slices.
+  void check_layers(double height) {
     if (scene_.species.empty()) return;
-    const auto [small, large] = std::ranges::minmax(scene_.species, {}, &Species::diameter);
+    const double small = std::ranges::min(scene_.species, {}, &Species::diameter).diameter;
     const bool centroid = scene_.coupling.void_fraction == VoidFractionScheme::centroid;
-    const double least = centroid ? large.diameter : 0.5 * small.diameter;
-    if (size >= least * (1.0 - 1e-9)) return;
-    problem(path, value, "gives cells of {} m, {}; allowed are cells of {} m or more", rounded(size),
-            centroid ? "smaller than the largest sphere, which the centroid scheme puts into one cell as a whole"
-                     : "smaller than half the smallest sphere, so that a cell could hold no liquid at all",
+    const double least = centroid ? largest_diameter() : 0.5 * small;
+    if (height >= least * (1.0 - 1e-9)) return;
+    problem("fluid.cell_height", with_unit(scene_.fluid.cell_height, units::length),
+            "gives cells {} m high, {}; allowed are cells of {} m or more", rounded(height),
+            centroid ? "lower than the largest sphere, which the centroid scheme puts into one cell as a whole"
+                     : "lower than half the smallest sphere",
             rounded(least));
+  }
+
+  /// The averaged equations need some liquid in each cell. A cell lies wholly inside a sphere when its diagonal is
+  /// shorter than the diameter; schemes that put pieces of a sphere into one cell as a whole add the size of a piece.
+  void check_cell(double x, double y, double z) {
+    const double large = largest_diameter(), shortest_side = std::min({x, y, z});
+    const double diagonal = std::sqrt(x * x + y * y + z * z);
+    double piece = 0.0;
+    if (scene_.coupling.void_fraction == VoidFractionScheme::particle_meshing)
+      piece = std::cbrt(std::numbers::pi / 6.0 / scene_.coupling.meshing_pieces) * large;
+    const bool centroid = scene_.coupling.void_fraction == VoidFractionScheme::centroid;
+    const double needed = large + std::sqrt(3.0) * piece;
+    if (shortest_side >= large * (1.0 - 1e-9)) return;
+    if (!centroid && diagonal >= needed * (1.0 - 1e-9)) return;
+    problem("fluid.cells_across", fmt::format("{}", scene_.fluid.cells_across),
+            "gives cells of {} x {} x {} m, which the largest sphere ({} m) can fill without any liquid left; allowed "
+            "are {}",
+            rounded(x), rounded(y), rounded(z), rounded(large),
+            centroid
+                ? fmt::format("sides of {} m or more, as the centroid scheme puts a sphere into one cell as a whole",
+                              rounded(large))
+                : fmt::format("a diagonal of {} m or more, as of cubes with sides of {} m", rounded(needed),
+                              rounded(needed / std::sqrt(3.0))));
   }
 
   void check_coupling() {
@@ -232,11 +266,49 @@ class PhysicsCheck {
       problem("coupling.void_fraction_interval", with_unit(coupling.void_fraction_interval, units::time),
               "is {:.6g} liquid steps; allowed is 0 or a whole multiple of fluid.time_step = {} s", intervals,
               shortest(scene_.fluid.time_step));
+    check_wall_retardation();
     const double smoothing = scene_.coupling.smoothing_length;
     if (smoothing > column_width())
       problem("coupling.smoothing_length", with_unit(smoothing, units::length),
               "spreads a sphere over the whole section; allowed is at most the column's width, {} m",
               rounded(column_width()));
+  }
+
+  void check_wall_retardation() {
+    const std::string& law = scene_.coupling.wall_retardation;
+    if (law == "none") return;
+    const auto wrong = [&](const std::string& what) {
+      problem("coupling.wall_retardation", fmt::format("\"{}\"", law), "{}", what);
+    };
+    const auto of_bed = [](const Species& species) { return species.count > 0; };
+    if (scene_.geometry.shape != Shape::cylinder)
+      return wrong("the laws are for tubes; needed is shape = \"cylinder\"");
+    if (std::ranges::any_of(scene_.species, of_bed))
+      return wrong("the laws are for a sphere alone; allowed is \"none\" where there is a bed");
+    bool known = false;
+    for_each_law<fluidisation::WallCorrectionLaws>([&](const auto& one) {
+      if (one.info.name != law) return;
+      known = true;
+      for (const Species& species : scene_.species) {
+        const double ratio = species.diameter / scene_.geometry.diameter, velocity = one(ratio);
+        if (!(velocity > 0.0 && velocity <= 1.0))
+          wrong(fmt::format("gives {:.3g} of the velocity at d/D = {:.3g} ({}); allowed is a law for that ratio",
+                            velocity, ratio, species.name));
+      }
+    });
+    if (!known) wrong(fmt::format("unknown law; allowed is none, {}", law_names<fluidisation::WallCorrectionLaws>()));
+  }
+
+  /// A time that a run counts in liquid steps. Rounding to whole steps may change it by a thousandth; a default adapts.
+  void check_steps(const std::string& path, double time, std::optional<double> default_value = {}) {
+    const double step = scene_.fluid.time_step, steps = time / step, whole = std::round(steps);
+    if (time == default_value || (whole >= 1.0 && std::abs(steps - whole) <= 1e-3 * steps)) return;
+    const std::string allowed =
+        steps < 1.0 ? fmt::format("{} s or more", shortest(step))
+                    : fmt::format("{} s or {} s", rounded(std::floor(steps) * step), rounded(std::ceil(steps) * step));
+    problem(path, with_unit(time, units::time),
+            "is {:.6g} liquid steps; allowed is a whole multiple of fluid.time_step = {} s, such as {}", steps,
+            shortest(step), allowed);
   }
 
   void check_stages() {
@@ -262,6 +334,8 @@ class PhysicsCheck {
         }
       }
       if (stage.kind == StageKind::drop) check_drop(i, fluidised);
+      check_steps(fmt::format("stage[{}].duration", i), stage.duration);
+      if (stage.relaxation > 0.0) check_steps(fmt::format("stage[{}].relaxation", i), stage.relaxation);
       const double repetitions = stage.kind == StageKind::drop ? static_cast<double>(stage.repetitions) : 1.0;
       const double steps = repetitions * (stage.duration + stage.relaxation) / scene_.contact.time_step;
       if (steps > most_steps)
@@ -303,15 +377,9 @@ class PhysicsCheck {
 
   void check_recording() {
     const auto& recording = scene_.recording;
-    const double step = scene_.contact.time_step;
-    const auto check = [&](const std::string& key, double interval) {
-      if (interval >= step * (1.0 - 1e-9)) return;
-      problem("recording." + key, with_unit(interval, units::time),
-              "is shorter than a step; allowed is contact.time_step = {} s or more", shortest(step));
-    };
-    check("bed_interval", recording.bed_interval);
-    check("drop_interval", recording.drop_interval);
-    if (recording.snapshot_interval > 0.0) check("snapshot_interval", recording.snapshot_interval);
+    check_steps("recording.bed_interval", recording.bed_interval, Recording{}.bed_interval);
+    check_steps("recording.drop_interval", recording.drop_interval, Recording{}.drop_interval);
+    if (recording.snapshot_interval > 0.0) check_steps("recording.snapshot_interval", recording.snapshot_interval);
     const auto& [low, high] = recording.fluctuation_window;
     if (low >= high)
       problem("recording.fluctuation_window", fmt::format("[{}, {}]", shortest(low), shortest(high)),

@@ -191,6 +191,9 @@ void describe(Visitor& visitor, Scene& scene, const SceneLaws& laws) {
     visitor.number("lubrication_range", coupling.lubrication_range, u::length, not_negative, optional);
     visitor.number("lubrication_roughness", coupling.lubrication_roughness, u::length, positive, optional);
     visitor.boolean("disturbance_correction", coupling.disturbance_correction, optional);
+    visitor.text("wall_retardation", coupling.wall_retardation,
+                 left_out_if_default(coupling.wall_retardation, Coupling{}.wall_retardation,
+                                     scene.fluid.tier == FluidTier::quiescent, "it belongs to tier = \"quiescent\""));
     visitor.number("smoothing_length", coupling.smoothing_length, u::length, not_negative, optional);
   });
   visitor.section("outlet", [&] { visitor.choice("particles", scene.outlet.rule, outlet_rules, optional); });

@@ -48,8 +48,9 @@ std::string as_written(const toml::node& node) {
 /// Fills a scene from the parsed file. Checks names and types; ranges and physics come after.
 class Reader {
  public:
-  Reader(const toml::table& root, const std::vector<Override>& overrides, std::string file, Problems& problems)
-      : overrides_(overrides), file_(std::move(file)), problems_(problems) {
+  Reader(const toml::table& root, const std::vector<Override>& overrides, std::string file, Problems& problems,
+         const SceneLaws& laws)
+      : overrides_(overrides), file_(std::move(file)), problems_(problems), laws_(laws) {
     scopes_.push_back({&root, "", file_, {}});
   }
 
@@ -90,7 +91,11 @@ class Reader {
     }
   }
 
-  void law(const std::string& key, std::string& value, const Presence& presence) { text(key, value, presence); }
+  void law(const std::string& key, std::string& value, const Presence& presence) {
+    text(key, value, presence);
+    // What the command line names lies where the command is given.
+    if (override_of(path(key)) == nullptr) value = laws_.place(value, file_);
+  }
 
   void boolean(const std::string& key, bool& value, const Presence& presence) {
     const toml::node* node = look_up(key, presence, "true or false");
@@ -292,6 +297,7 @@ class Reader {
   const std::vector<Override>& overrides_;
   std::string file_;
   Problems& problems_;
+  const SceneLaws& laws_;
   std::vector<Scope> scopes_;
 };
 
@@ -393,7 +399,7 @@ Scene read_scene(const std::string& text, const std::string& origin, const std::
 
   Problems problems(origin);
   Scene scene;
-  Reader reader(root, changes, origin, problems);
+  Reader reader(root, changes, origin, problems, laws);
   describe(reader, scene, laws);
   reader.finish();
   problems.raise();
