@@ -261,9 +261,13 @@ std::optional<double> deviation_of(const Claim& claim, double ours) {
 }
 
 void judge_band(Evaluation& evaluation, const Measurement& measurement) {
-  const Band band = *evaluation.claim.paper_band;
   evaluation.ours = measurement.value;
   evaluation.deviation = deviation_of(evaluation.claim, measurement.value);
+  if (!evaluation.claim.paper_band) {  // a statement in words: our number is shown, and nothing is judged
+    evaluation.reason = evaluation.claim.undecidable;
+    return;
+  }
+  const Band band = *evaluation.claim.paper_band;
   const bool inside = band.contains(measurement.value);
   if (std::isnan(measurement.half_width)) {
     evaluation.reason =

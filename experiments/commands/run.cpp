@@ -1,4 +1,5 @@
 #include <fmt/format.h>
+#include <spdlog/spdlog.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -9,6 +10,7 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <stdexcept>
 #include <string>
 #include <thread>
 #include <vector>
@@ -22,6 +24,7 @@
 #include "experiments/runs/run_files.hpp"
 #include "solver/coupling/drag_relaxation.hpp"
 #include "solver/laws/scene_file.hpp"
+#include "solver/laws/scene_remarks.hpp"
 #include "solver/laws/user_law.hpp"
 #include "solver/support/folders.hpp"
 
@@ -71,6 +74,8 @@ int print_plan(const Options& options, const Scene& scene) {
                     {"simulated_seconds_at_most", estimate.longest_seconds},
                     {"particle_steps", estimate.particle_steps},
                     {"estimated_wall_seconds", wall_seconds},
+                    {"estimated_memory_bytes", estimate.memory},
+                    {"notes", remarks_on(scene)},
                     {"result", result.string()},
                     {"result_exists", exists}};
     fmt::print("{}\n", plan.dump(2));
@@ -105,6 +110,8 @@ int print_plan(const Options& options, const Scene& scene) {
        fmt::format("about {} on {} thread{}, at {:.1f} M particle steps and {:.1f} M cell steps per second and thread",
                    format_duration(wall_seconds), options.threads, options.threads == 1 ? "" : "s",
                    1e-6 * particle_steps_per_core_second, 1e-6 * cell_steps_per_core_second));
+  line("memory", fmt::format("about {:.2g} GB", 1e-9 * estimate.memory));
+  for (const std::string& remark : remarks_on(scene)) line("note", remark);
   line("result", result.string() + (exists ? " (exists: nothing would be simulated)" : ""));
   return 0;
 }
@@ -210,8 +217,11 @@ int run(const Options& options) {
     }
     scene = plan::changed(scene, made.overrides);
   }
+  if (const std::string problem = memory_problem(estimate_run(scene)); !problem.empty())
+    throw std::runtime_error(fmt::format("{}: {}", options.scene.string(), problem));
   if (options.dry_run) return print_plan(options, scene);
 
+  for (const std::string& remark : remarks_on(scene)) spdlog::warn("{}", remark);
   const std::string hash = scene_hash(scene);
   const CampaignOutcome outcome = run_scenes({{options.scene.stem().string(), scene}},
                                              {.out = options.out, .jobs = 1, .threads_per_run = options.threads});

@@ -6,6 +6,8 @@
 #include <atomic>
 #include <condition_variable>
 #include <mutex>
+#include <new>
+#include <optional>
 #include <set>
 #include <stdexcept>
 #include <thread>
@@ -48,6 +50,12 @@ void archive_scene(const Scene& scene, const std::filesystem::path& directory) {
 Ending run_task(const Task& task, std::size_t number, const CampaignOptions& options, const std::atomic<bool>& stop,
                 ProgressDisplay& display, std::string& failure) {
   const auto directory = run_directory(options.out, task.hash);
+  std::optional<WorkToSave> state;
+  const auto failed = [&](const std::string& why) {
+    display.end(number, fmt::format("{}: FAILED: {}", task.label, why));
+    failure = fmt::format("{}: {}", task.label, why);
+    return Ending::failed;
+  };
   try {
     std::filesystem::create_directories(directory);
     const RunLock lock(directory);
@@ -65,21 +73,24 @@ Ending run_task(const Task& task, std::size_t number, const CampaignOptions& opt
         run_scene(*task.scene, {.threads = options.threads_per_run,
                                 .directory = directory,
                                 .progress = [&](const Progress& progress) { display.update(number, progress); },
+                                .started = [&] { state.emplace(); },
                                 .stop = &stop});
     if (outcome.status == RunStatus::interrupted) {
       display.end(number,
                   fmt::format("{}: stopped at {:.2f} s, state saved", task.label, outcome.result.simulated_seconds));
       return Ending::interrupted;
     }
+    if (!std::filesystem::is_directory(directory))
+      display.message(fmt::format("{}: its folder {} had vanished and is made anew", task.label, directory.string()));
     save_result(outcome.result, result_file(options.out, task.hash));
     remove_checkpoints(directory);
     display.end(number, fmt::format("{}: finished, {:.2f} s simulated in {}", task.label,
                                     outcome.result.simulated_seconds, format_duration(outcome.result.wall_seconds)));
     return Ending::finished;
+  } catch (const std::bad_alloc&) {
+    return failed("the memory of this machine is used up; fewer spheres, fewer cells or fewer runs side by side");
   } catch (const std::exception& error) {
-    display.end(number, fmt::format("{}: FAILED: {}", task.label, error.what()));
-    failure = fmt::format("{}: {}", task.label, error.what());
-    return Ending::failed;
+    return failed(error.what());
   }
 }
 

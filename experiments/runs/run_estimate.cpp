@@ -1,6 +1,7 @@
 #include "experiments/runs/run_estimate.hpp"
 
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <cmath>
@@ -50,7 +51,18 @@ RunEstimate estimate_run(const Scene& scene) {
                                      (estimate.simulated_seconds - settling_seconds) / scene.fluid.time_step);
   estimate.core_seconds = static_cast<double>(estimate.particle_steps) / particle_steps_per_core_second +
                           static_cast<double>(estimate.cell_steps) / cell_steps_per_core_second;
+  estimate.memory =
+      bytes_at_least + bytes_per_sphere * spheres + bytes_per_cell * static_cast<double>(estimate.liquid_cells);
   return estimate;
+}
+
+std::string memory_problem(const RunEstimate& estimate) {
+  const double there = static_cast<double>(sysconf(_SC_PHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGESIZE));
+  if (estimate.memory <= there) return "";
+  return fmt::format(
+      "needs about {:.3g} GB of memory for {} spheres and {} liquid cells, and this machine has {:.3g} GB; fewer "
+      "spheres, or larger cells",
+      1e-9 * estimate.memory, estimate.spheres, estimate.liquid_cells, 1e-9 * there);
 }
 
 std::string format_duration(double seconds) {

@@ -54,6 +54,8 @@ class PhaseCoupling {
 
   /// At sphere i after the last advance: voidage α [-], Re = ρ d α |u − v|/μ [-], liquid velocity [m/s] and drag [N]
   /// along axis a. With forces beyond drag the latter holds what is linear in the slip of the history force too.
+  /// `knows`: sphere i took part in that advance.
+  [[nodiscard]] bool knows(std::size_t i) const { return i < voidage_.size(); }
   [[nodiscard]] double voidage(std::size_t i) const { return voidage_[i]; }
   [[nodiscard]] double reynolds(std::size_t i) const { return reynolds_[i]; }
   [[nodiscard]] double liquid_velocity(std::size_t i, std::size_t a) const { return liquid_velocity_[a][i]; }

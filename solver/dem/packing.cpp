@@ -47,6 +47,7 @@ std::array<double, 2> half_width(const Geometry& geometry) {
 
 std::vector<PlacedSphere> lattice(const Scene& scene) {
   const std::vector<int> order = shuffled_species(scene);
+  if (order.empty()) return {};
   const double diameter = largest_diameter(scene);
   const Geometry& geometry = scene.geometry;
   const bool cylinder = geometry.shape == Shape::cylinder;

@@ -17,6 +17,8 @@ class BedRecorder {
   /// One sample, `time` [s] after the start of fluidisation; all but the force balance. False, and no sample, if no
   /// sphere of the bed is left. Warns once if the contact network is too stiff for the spheres' time step.
   bool sample(const Model& model, double time);
+  /// At the end of the fluidise stage: warns of a bed that stands still although the liquid flows fast enough.
+  void look_for_standing_bed() const;
 
  private:
   void sample_contact_forces(const Model& model, double time);

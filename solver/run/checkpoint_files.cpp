@@ -35,6 +35,9 @@ void CheckpointFiles::write(const std::filesystem::path& file, const std::string
 }
 
 void CheckpointFiles::save(const RunResult& result, std::int64_t number, const io::StateGroup::Exchange& state) const {
+  if (!std::filesystem::is_directory(directory_))
+    throw std::runtime_error(
+        fmt::format("{}: the folder of the run has vanished; nothing can be saved in it", directory_.string()));
   const std::string records = fmt::format("records_{}.h5", number);
   // The records go first, and the old ones last: the checkpoint always finds its own.
   save_result(result, directory_ / records);

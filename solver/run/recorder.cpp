@@ -1,11 +1,13 @@
 #include "solver/run/recorder.hpp"
 
 #include <fmt/core.h>
+#include <spdlog/spdlog.h>
 
 #include <cmath>
 #include <string>
 
 #include "solver/io/vtkhdf.hpp"
+#include "solver/laws/user_law.hpp"
 
 namespace slfb::simulation {
 namespace {
@@ -31,6 +33,7 @@ Recorder::Recorder(const Scene& scene, Model& model, const Schedule& schedule, c
       drop_(result),
       liquid_(scene, model, result),
       balance_(scene),
+      law_range_(find_drag_law(scene.coupling.drag_law).info),
       result_(result) {}
 
 void Recorder::end_step() {
@@ -43,6 +46,7 @@ void Recorder::record() {
   const Recording& recording = scene_.recording;
   if (schedule_.due(recording.bed_interval)) {
     if (bed_.sample(model_, time)) balance_.take(result_.bed);
+    law_range_.sample(model_);
     if (schedule_.stage().kind == StageKind::fluidise && schedule_.in_second_half())
       liquid_.sample_fluctuation(model_, time);
   }
@@ -62,7 +66,15 @@ void Recorder::record_drop(const DropProtocol& drops, bool at_bottom, bool over)
 
 void Recorder::stage_ended() {
   if (schedule_.stage().kind == StageKind::settle) bed_.measure_packed_bed(model_);
-  if (schedule_.stage().kind == StageKind::fluidise) liquid_.finish(model_, schedule_.fluidised_seconds());
+  if (schedule_.stage().kind == StageKind::fluidise) {
+    liquid_.finish(model_, schedule_.fluidised_seconds());
+    bed_.look_for_standing_bed();
+  }
+}
+
+void Recorder::run_ended() const {
+  if (const std::string sentence = law_range_.sentence(); !sentence.empty())
+    spdlog::warn("{}: {}", scene_.title, sentence);
 }
 
 void Recorder::write_snapshot() const {
@@ -82,6 +94,7 @@ void Recorder::write_snapshot() const {
 void Recorder::exchange(io::StateGroup& state) {
   state.part("drop_record", [&](io::StateGroup& group) { drop_.exchange(group); });
   state.part("force_balance", [&](io::StateGroup& group) { balance_.exchange(group); });
+  state.part("law_range", [&](io::StateGroup& group) { law_range_.exchange(group); });
 }
 
 }  // namespace slfb::simulation

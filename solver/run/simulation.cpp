@@ -72,6 +72,7 @@ RunOutcome Simulation::run() {
   std::filesystem::create_directories(options_.directory);
   model_.fill();
   resume();
+  if (options_.started) options_.started();
   try {
     for (; !schedule_.finished(); schedule_.next_stage()) {
       if (!run_stage()) return {RunStatus::interrupted, result_};
@@ -80,6 +81,7 @@ RunOutcome Simulation::run() {
   } catch (const std::runtime_error& error) {
     fail(error);
   }
+  recorder_.run_ended();
   cost_.write_to(result_);
   return {RunStatus::finished, result_};
 }

@@ -196,14 +196,14 @@ class PhysicsCheck {
       problem("fluid.cell_height", with_unit(fluid.cell_height, units::length),
               "is more than the column; allowed is at most {} m (geometry.height)", shortest(geometry.height));
     }
-    const double layers = std::max(1.0, std::round(geometry.height / fluid.cell_height));
-    const double height = geometry.height / layers;
-    check_layers(height);
+    check_cell_size("fluid.cell_height", with_unit(fluid.cell_height, units::length), fluid.cell_height);
     if (fluid.tier == FluidTier::three_dimensional) {
       const bool round = geometry.shape == Shape::cylinder;
-      const double x = (round ? geometry.diameter : geometry.width[0]) / fluid.cells_across;
+      const double width = round ? geometry.diameter : geometry.width[0], x = width / fluid.cells_across;
       const double depth = round ? geometry.diameter : geometry.width[1];
-      check_cell(x, depth / std::max(1.0, std::round(depth / x)), height);
+      const double y = depth / std::max(1.0, std::round(depth / x));
+      check_cell_size("fluid.cells_across", fmt::format("{}", fluid.cells_across), std::min(x, y));
+      check_cell_diagonal(x, y, geometry.height / std::max(1.0, std::round(geometry.height / fluid.cell_height)));
     }
     const double across = fluid.tier == FluidTier::three_dimensional ? fluid.cells_across : 1.0;
     const double deep = geometry.shape == Shape::box ? across * geometry.width[1] / geometry.width[0] : across;
@@ -213,45 +213,36 @@ class PhysicsCheck {
               "makes {:.3g} cells of the column; allowed are {:g}", cells, most_cells);
   }
 
-  [[nodiscard]] double largest_diameter() const {
-    return scene_.species.empty() ? 0.0 : std::ranges::max(scene_.species, {}, &Species::diameter).diameter;
-  }
-
-  /// Layers far thinner than a sphere show nothing but its slices.
-  void check_layers(double height) {
+  /// A cell below half the smallest sphere shows nothing but slices of spheres; and the centroid scheme puts a whole
+  /// sphere into one cell, which must then have room for the largest.
+  void check_cell_size(const std::string& path, const std::string& value, double size) {
     if (scene_.species.empty()) return;
-    const double small = std::ranges::min(scene_.species, {}, &Species::diameter).diameter;
+    const auto [small, large] = std::ranges::minmax(scene_.species, {}, &Species::diameter);
     const bool centroid = scene_.coupling.void_fraction == VoidFractionScheme::centroid;
-    const double least = centroid ? largest_diameter() : 0.5 * small;
-    if (height >= least * (1.0 - 1e-9)) return;
-    problem("fluid.cell_height", with_unit(scene_.fluid.cell_height, units::length),
-            "gives cells {} m high, {}; allowed are cells of {} m or more", rounded(height),
-            centroid ? "lower than the largest sphere, which the centroid scheme puts into one cell as a whole"
-                     : "lower than half the smallest sphere",
+    const double least = centroid ? large.diameter : 0.5 * small.diameter;
+    if (size >= least * (1.0 - 1e-9)) return;
+    problem(path, value, "gives cells of {} m, {}; allowed are cells of {} m or more", rounded(size),
+            centroid ? "smaller than the largest sphere, which the centroid scheme puts into one cell as a whole"
+                     : "smaller than half the smallest sphere, so that a cell could hold no liquid at all",
             rounded(least));
   }
 
   /// The averaged equations need some liquid in each cell. A cell lies wholly inside a sphere when its diagonal is
-  /// shorter than the diameter; schemes that put pieces of a sphere into one cell as a whole add the size of a piece.
-  void check_cell(double x, double y, double z) {
-    const double large = largest_diameter(), shortest_side = std::min({x, y, z});
-    const double diagonal = std::sqrt(x * x + y * y + z * z);
-    double piece = 0.0;
-    if (scene_.coupling.void_fraction == VoidFractionScheme::particle_meshing)
-      piece = std::cbrt(std::numbers::pi / 6.0 / scene_.coupling.meshing_pieces) * large;
-    const bool centroid = scene_.coupling.void_fraction == VoidFractionScheme::centroid;
-    const double needed = large + std::sqrt(3.0) * piece;
-    if (shortest_side >= large * (1.0 - 1e-9)) return;
-    if (!centroid && diagonal >= needed * (1.0 - 1e-9)) return;
+  /// shorter than the diameter; particle meshing puts each piece of a sphere into one cell as a whole.
+  void check_cell_diagonal(double x, double y, double z) {
+    const auto& coupling = scene_.coupling;
+    if (scene_.species.empty() || coupling.void_fraction == VoidFractionScheme::centroid) return;
+    const double large = std::ranges::max(scene_.species, {}, &Species::diameter).diameter;
+    const bool meshing = coupling.void_fraction == VoidFractionScheme::particle_meshing;
+    const double piece = meshing ? std::cbrt(std::numbers::pi / 6.0 / coupling.meshing_pieces) * large : 0.0;
+    const double diagonal = std::sqrt(x * x + y * y + z * z), needed = large + std::sqrt(3.0) * piece;
+    if (diagonal >= needed * (1.0 - 1e-9) || std::min({x, y, z}) >= large * (1.0 - 1e-9)) return;
     problem("fluid.cells_across", fmt::format("{}", scene_.fluid.cells_across),
-            "gives cells of {} x {} x {} m, which the largest sphere ({} m) can fill without any liquid left; allowed "
-            "are {}",
+            "gives cells of {} x {} x {} m, which can lie wholly inside the largest sphere ({} m{}); allowed are cells "
+            "with a diagonal of {} m or more, such as cubes with sides of {} m",
             rounded(x), rounded(y), rounded(z), rounded(large),
-            centroid
-                ? fmt::format("sides of {} m or more, as the centroid scheme puts a sphere into one cell as a whole",
-                              rounded(large))
-                : fmt::format("a diagonal of {} m or more, as of cubes with sides of {} m", rounded(needed),
-                              rounded(needed / std::sqrt(3.0))));
+            meshing ? fmt::format(", cut into {} pieces", coupling.meshing_pieces) : "", rounded(needed),
+            rounded(needed / std::sqrt(3.0)));
   }
 
   void check_coupling() {

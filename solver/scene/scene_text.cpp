@@ -18,6 +18,7 @@
 #include "solver/scene/overrides.hpp"
 #include "solver/scene/scene_checks.hpp"
 #include "solver/scene/scene_description.hpp"
+#include "solver/scene/size_distribution.hpp"
 #include "solver/support/close_names.hpp"
 
 namespace slfb::description {
@@ -396,6 +397,7 @@ Scene read_scene(const std::string& text, const std::string& origin, const std::
   }
   const std::vector<Override> changes = split_overrides(overrides);
   apply_overrides(root, changes, laws);
+  expand_size_distributions(root, origin);
 
   Problems problems(origin);
   Scene scene;

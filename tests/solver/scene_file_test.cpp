@@ -256,7 +256,7 @@ INSTANTIATE_TEST_SUITE_P(
                 "would start inside the bed"},
         Mistake{"kind = \"fluidise\"", "kind = \"settle\"", "stage[1].kind", "\"settle\"", "at most one settle"},
         Mistake{"drop_interval = \"1 ms\"", "drop_interval = \"1e-5 s\"", "recording.drop_interval", "\"1e-5 s\"",
-                "shorter than a step"}));
+                "is 0.02 liquid steps; allowed is a whole multiple of fluid.time_step"}));
 
 // --- rules that blame a line other than the one changed --------------------------------------------------------------
 

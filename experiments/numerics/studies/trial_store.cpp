@@ -64,6 +64,7 @@ bool solve_missing(const std::vector<Trial>& trials, const TrialStore& store, co
   for (const Trial& trial : trials)
     if (!store.find(trial) && hashes.insert(trial.problem + trial.hash()).second) missing.push_back(&trial);
   const StopSignals signals;
+  const WorkToSave trials_under_way;
   std::atomic<std::size_t> next{0}, done{0};
   std::mutex mutex;
   std::exception_ptr error;
