@@ -116,7 +116,7 @@ int make_figures(const Work& work, const Options& options) {
 
   // Every figure is drawn, also when only some were named: it takes seconds, and the report stays complete.
   const auto figures_folder = options.out / "figures";
-  std::filesystem::create_directories(figures_folder);
+  make_output_folder(figures_folder);
   remove_unfinished(figures_folder);
   std::vector<FigureOutput> outputs;
   std::set<std::string> not_drawn;
@@ -129,6 +129,7 @@ int make_figures(const Work& work, const Options& options) {
     }
 
   const auto report_folder = options.out / "report";
+  make_output_folder(report_folder);
   auto reported = judgement.runs;
   for (const std::string& own : work.read_by_figures)
     if (profile.name != own)

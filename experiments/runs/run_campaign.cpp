@@ -57,7 +57,7 @@ Ending run_task(const Task& task, std::size_t number, const CampaignOptions& opt
     return Ending::failed;
   };
   try {
-    std::filesystem::create_directories(directory);
+    make_output_folder(directory);
     const RunLock lock(directory);
     if (std::filesystem::exists(result_file(options.out, task.hash))) {  // another process was faster
       display.end(number, fmt::format("{}: finished by another slfb", task.label));

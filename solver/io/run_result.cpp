@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "solver/io/hdf5_file.hpp"
+#include "solver/support/files.hpp"
 
 namespace slfb {
 namespace {
@@ -284,6 +285,7 @@ namespace {
 RunResult read_result(const Hdf5File& source) {
   RunResult result;
   result.name = source.read_string_attribute("/", "name");
+  if (!is_plain_name(result.name)) fail(source, "/@name", "is no name of a run");
   result.scene_text = read_scene(source);
   result.numerics = static_cast<int>(read_whole(source, "/", "numerics_version", 1'000'000));
   result.suite_version = source.read_string_attribute("/", "suite_version");

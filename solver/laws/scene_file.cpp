@@ -69,7 +69,14 @@ void check_contact(const Scene& scene, Problems& problems) {
     for (const auto& known : dem::contact_laws()) names += in_quotes(known.info.name) + ", ";
     return wrong_law(fmt::format("unknown contact law; allowed is {}or a file that ends with .cpp", names));
   }
-  const double bound = contact_time_step_bound(scene);
+  double bound = 0.0;
+  try {
+    bound = contact_time_step_bound(scene);
+  } catch (const std::exception& error) {
+    return wrong_law(fmt::format("fails when it is asked for its stiffness: {}", error.what()));
+  } catch (...) {
+    return wrong_law("throws something that is no std::exception when it is asked for its stiffness");
+  }
   if (is_user_law(contact.law) && !scene.species.empty() && !(bound > 0.0 && std::isfinite(bound)))
     return wrong_law(
         fmt::format("gives no stiffness above zero at an overlap of a hundredth of the effective radius; does it need "

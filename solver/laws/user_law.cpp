@@ -144,7 +144,7 @@ const void* load_user_law(const fs::path& file, const UserLawKind& kind) {
   if (address != nullptr) return address;
   const fs::path object = compile(file, content, kind);
   // Loading runs code of the file already. A crash there is one of another process.
-  constexpr unsigned seconds = 20;
+  constexpr unsigned seconds = 10;
   if (const auto trouble = trouble_in_child([&] { try_law(object, kind); }, seconds))
     throw UserLawError(fmt::format("{}: calling the law {}", file.string(), *trouble));
   void* library = dlopen(object.c_str(), RTLD_NOW | RTLD_LOCAL);  // stays loaded: results point into it

@@ -8,6 +8,7 @@
 
 #include "solver/io/vtkhdf.hpp"
 #include "solver/laws/user_law.hpp"
+#include "solver/support/files.hpp"
 
 namespace slfb::simulation {
 namespace {
@@ -79,7 +80,7 @@ void Recorder::run_ended() const {
 
 void Recorder::write_snapshot() const {
   const auto folder = directory_ / "snapshots";
-  std::filesystem::create_directories(folder);
+  make_output_folder(folder);
   const double time = schedule_.fluidised_seconds();
   const int digits = decimals(static_cast<double>(schedule_.interval_steps(scene_.recording.snapshot_interval)) *
                               schedule_.time_step());

@@ -4,7 +4,9 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <atomic>
+#include <cctype>
 #include <cerrno>
 #include <charconv>
 #include <chrono>
@@ -114,6 +116,22 @@ void write_named_file(const fs::path& file, std::string_view text) {
   Descriptor stream(::open(target.c_str(), O_WRONLY | O_CLOEXEC));
   if (stream.number() < 0) throw write_failure(file, errno);
   write_all(stream, file, text);
+}
+
+void make_output_folder(const fs::path& folder) {
+  if (fs::is_symlink(folder))
+    throw std::runtime_error(
+        fmt::format("{}: is a link; slfb makes this folder itself and writes through no link, so "
+                    "remove it, or choose another --out",
+                    folder.string()));
+  fs::create_directories(folder);
+}
+
+bool is_plain_name(std::string_view text) {
+  constexpr std::string_view others = "-_.=+,";
+  return !text.starts_with('.') && std::ranges::all_of(text, [&](unsigned char c) {
+    return (c < 128 && std::isalnum(c) != 0) || others.find(static_cast<char>(c)) != others.npos;
+  });
 }
 
 void remove_unfinished(const fs::path& folder) {

@@ -27,6 +27,14 @@ void write_file(const std::filesystem::path& file, std::initializer_list<std::st
 /// is written to.
 void write_named_file(const std::filesystem::path& file, std::string_view text);
 
+/// Makes a folder for output, with those above it. Throws std::runtime_error if a link stands at its name: what is
+/// written there would land where the link leads.
+void make_output_folder(const std::filesystem::path& folder);
+
+/// Whether a text can be part of a file's name: letters, digits, '-', '_', '.', '=', '+' and ',', and no point at its
+/// start. Nothing else, such as "../x", may come from a data file into a path.
+bool is_plain_name(std::string_view text);
+
 /// Removes what write_file left unfinished in a folder when its process was killed. A folder that does not exist, and
 /// files of processes that still run, are left alone.
 void remove_unfinished(const std::filesystem::path& folder);
