@@ -2,9 +2,11 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <cctype>
 #include <cerrno>
@@ -12,8 +14,6 @@
 #include <chrono>
 #include <csignal>
 #include <cstring>
-#include <fstream>
-#include <iterator>
 #include <optional>
 #include <stdexcept>
 #include <utility>
@@ -81,14 +81,29 @@ std::optional<pid_t> writer_of(std::string_view name) {
 }  // namespace
 
 std::string read_file(const fs::path& file) {
-  if (fs::is_directory(file)) throw failure(file, "cannot be read", "is a folder");
-  if (fs::exists(file) && !fs::is_regular_file(file)) throw failure(file, "cannot be read", "is no regular file");
-  errno = 0;
-  std::ifstream stream(file, std::ios::binary);
-  if (!stream) throw failure(file, "cannot be read", std::strerror(errno));
-  std::string text{std::istreambuf_iterator<char>(stream), {}};
-  if (stream.bad()) throw failure(file, "cannot be read", "the stream failed");
-  return text;
+  const auto cannot = [&](std::string_view reason) { return failure(file, "cannot be read", reason); };
+  // Opening a pipe would wait for somebody who writes into it.
+  const Descriptor source(::open(file.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
+  if (source.number() < 0) throw cannot(std::strerror(errno));
+  struct stat status {};
+  if (::fstat(source.number(), &status) != 0) throw cannot(std::strerror(errno));
+  if (S_ISDIR(status.st_mode)) throw cannot("is a folder");
+  if (!S_ISREG(status.st_mode)) throw cannot("is no regular file");
+  std::string text(static_cast<std::size_t>(status.st_size), '\0');
+  std::size_t length = 0;
+  std::array<char, 4096> more{};  // files of /proc have no size, and others may grow
+  for (;;) {
+    const bool beyond = length == text.size();
+    const ssize_t count = beyond ? ::read(source.number(), more.data(), more.size())
+                                 : ::read(source.number(), text.data() + length, text.size() - length);
+    if (count < 0 && errno == EINTR) continue;
+    if (count < 0) throw cannot(std::strerror(errno));
+    if (beyond) text.append(more.data(), static_cast<std::size_t>(count));
+    length += static_cast<std::size_t>(count);
+    if (count > 0) continue;
+    text.resize(length);
+    return text;
+  }
 }
 
 void write_file(const fs::path& file, std::initializer_list<std::string_view> parts, Durability durability) {
