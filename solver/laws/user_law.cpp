@@ -104,7 +104,8 @@ fs::path compile(const fs::path& file, const std::string& content, const UserLaw
   if (fs::exists(object) && fs::last_write_time(object) > fs::last_write_time("/proc/self/exe")) return object;
   fs::create_directories(folder);
   // Another process may want the same: each writes its own file, and renaming is one step.
-  const fs::path unfinished = object.string() + fmt::format(".{}", getpid());
+  remove_unfinished(folder);
+  const fs::path unfinished = object.string() + fmt::format(".{}-0.part", getpid());
   for (const std::string& word : {fs::absolute(file).string(), std::string("-o"), unfinished.string()})
     command.push_back(word);
   // A source that includes /dev/zero keeps a compiler busy, and eats memory, until somebody ends it.
