@@ -7,7 +7,7 @@ STUDIES ?= quick
 WARNINGS = $(if $(CI),-DCMAKE_COMPILE_WARNING_AS_ERROR=ON)
 SOURCES = git ls-files --cached --others --exclude-standard '*.cpp' '*.hpp'
 
-.PHONY: help figures pdf test program build install format layout lint sanitize debug asan tsan
+.PHONY: help figures pdf test program build install format layout lint sanitize parts debug asan tsan
 
 help:
 	@echo "make figures  the figures of the paper and the report (PROFILE, STUDIES = quick or full)"
@@ -20,6 +20,7 @@ help:
 	@echo "make layout   whether the code is laid out"
 	@echo "make lint     layout and static checks (ROOMS)"
 	@echo "make sanitize the fast tests with the address and undefined-behaviour sanitizers"
+	@echo "make parts    a part of the builds debug and tsan"
 	@echo "make debug    all tests without optimisation; asan, tsan: with the sanitizers"
 
 figures: program
@@ -54,6 +55,14 @@ sanitize: install
 	cmake --preset asan
 	cmake --build --preset asan --parallel $(JOBS) --target solver_tests laws_tests
 	ctest --preset asan --parallel $(JOBS) -R '^(solver|laws)\.'
+
+# A part of the other builds: what they find in the laws, and whether both compilers take the solver.
+parts:
+	@.ci/install build tools
+	for preset in debug tsan; do \
+	  cmake --preset $$preset && cmake --build --preset $$preset --parallel $(JOBS) --target slfb_run laws_tests && \
+	  ctest --preset $$preset --parallel $(JOBS) -R '^laws\.' || exit 1; \
+	done
 
 debug asan tsan:
 	@.ci/install build $(if $(filter tsan,$@),tools)

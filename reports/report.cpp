@@ -235,9 +235,7 @@ void copy_figure(const FigurePage& figure, const fs::path& from, const fs::path&
   std::vector<std::string> files = figure.data_files;
   for (const char* format : {"svg", "png", "pdf", "gp"}) files.push_back(figure.id + "." + format);
   for (const std::string& file : files) {
-    std::error_code error;
-    fs::copy_file(from / file, to / file, fs::copy_options::overwrite_existing, error);
-    if (error) throw std::runtime_error(fmt::format("cannot copy {}: {}", (from / file).string(), error.message()));
+    write_file(to / file, read_file(from / file));  // a link in its place is not followed
   }
 }
 

@@ -14,6 +14,7 @@
 #include <stdexcept>
 
 #include "experiments/quantities/analysis.hpp"
+#include "experiments/quantities/json_file.hpp"
 #include "solver/support/toml_table.hpp"
 
 namespace slfb {
@@ -260,9 +261,13 @@ std::optional<double> deviation_of(const Claim& claim, double ours) {
 }
 
 void judge_band(Evaluation& evaluation, const Measurement& measurement) {
-  const Band band = *evaluation.claim.paper_band;
   evaluation.ours = measurement.value;
   evaluation.deviation = deviation_of(evaluation.claim, measurement.value);
+  if (!evaluation.claim.paper_band) {  // a statement in words: our number is shown, and nothing is judged
+    evaluation.reason = evaluation.claim.undecidable;
+    return;
+  }
+  const Band band = *evaluation.claim.paper_band;
   const bool inside = band.contains(measurement.value);
   if (std::isnan(measurement.half_width)) {
     evaluation.reason =
@@ -379,10 +384,6 @@ double difference_over_chance(const Mean& a, const Mean& b, double level) {
   if (!(variance > 0.0)) return std::abs(a.value - b.value) > 1e-9 * std::abs(a.value) ? 2.0 : 0.0;
   const double freedom = variance * variance / (std::pow(a.error, 4) / a.freedom + std::pow(b.error, 4) / b.freedom);
   return std::abs(a.value - b.value) / (std::sqrt(variance) * gsl_cdf_tdist_Qinv(0.5 * level, freedom));
-}
-
-nlohmann::ordered_json number_or_null(double value) {
-  return std::isfinite(value) ? nlohmann::ordered_json(value) : nlohmann::ordered_json(nullptr);
 }
 
 }  // namespace

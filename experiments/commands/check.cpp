@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <fstream>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
@@ -18,6 +17,7 @@
 #include "experiments/commands/works.hpp"
 #include "experiments/work/judge.hpp"
 #include "solver/support/close_names.hpp"
+#include "solver/support/files.hpp"
 #include "solver/support/folders.hpp"
 
 namespace slfb {
@@ -109,13 +109,6 @@ void print_table(const std::vector<Evaluation>& evaluations) {
              counts.gates_broken);
 }
 
-/// Not by renaming: the file may be a pipe.
-void write_file(const std::filesystem::path& file, const std::string& text) {
-  std::ofstream stream(file);
-  stream << text;
-  if (!stream.flush()) throw std::runtime_error(fmt::format("cannot write {}", file.string()));
-}
-
 /// What the laws and the runs of this suite say to the claims.
 std::vector<Evaluation> evaluate_own(const Work& work, const std::vector<Claim>& claims, const Options& options) {
   const Profile profile = load_profile(work, options.profile.empty() ? work.default_profile : options.profile);
@@ -137,8 +130,8 @@ int check(const Work& work, const Options& options, bool json) {
   } else {
     print_table(evaluations);
   }
-  if (json && !json_to_stdout) write_file(options.json, claims_json(evaluations).dump(2) + "\n");
-  if (!options.junit.empty()) write_file(options.junit, claims_junit(evaluations));
+  if (json && !json_to_stdout) write_named_file(options.json, claims_json(evaluations).dump(2) + "\n");
+  if (!options.junit.empty()) write_named_file(options.junit, claims_junit(evaluations));
   return count(evaluations).gates_broken == 0 ? 0 : 1;
 }
 

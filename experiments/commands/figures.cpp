@@ -1,4 +1,5 @@
 #include <fmt/format.h>
+#include <spdlog/spdlog.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -17,6 +18,7 @@
 #include "experiments/work/judge.hpp"
 #include "experiments/work/report_pages.hpp"
 #include "reports/report.hpp"
+#include "solver/support/files.hpp"
 #include "solver/support/folders.hpp"
 
 namespace slfb {
@@ -114,13 +116,20 @@ int make_figures(const Work& work, const Options& options) {
 
   // Every figure is drawn, also when only some were named: it takes seconds, and the report stays complete.
   const auto figures_folder = options.out / "figures";
-  std::filesystem::create_directories(figures_folder);
+  make_output_folder(figures_folder);
+  remove_unfinished(figures_folder);
   std::vector<FigureOutput> outputs;
-  for (const auto& figure : work.figures)
-    outputs.push_back(
-        figure.draw({judgement.shown, judgement.runs, judgement.measurements, figures_folder, options.out}));
+  std::set<std::string> not_drawn;
+  for (const auto& figure : work.figures) try {
+      outputs.push_back(
+          figure.draw({judgement.shown, judgement.runs, judgement.measurements, figures_folder, options.out}));
+    } catch (const std::exception& error) {  // a damaged file of one figure; the others go on
+      spdlog::error("{} is not drawn: {}", figure.id, error.what());
+      not_drawn.insert(figure.id);
+    }
 
   const auto report_folder = options.out / "report";
+  make_output_folder(report_folder);
   auto reported = judgement.runs;
   for (const std::string& own : work.read_by_figures)
     if (profile.name != own)
@@ -129,7 +138,8 @@ int make_figures(const Work& work, const Options& options) {
                         report_folder);
 
   for (const Figure* figure : chosen)
-    fmt::print("{}  {:<62}{}\n", figure->id, figure->title, (figures_folder / (figure->id + ".svg")).string());
+    if (!not_drawn.contains(figure->id))
+      fmt::print("{}  {:<62}{}\n", figure->id, figure->title, (figures_folder / (figure->id + ".svg")).string());
   const auto& evaluations = judgement.evaluations;
   const ClaimCounts counts = count(evaluations);
   fmt::print("\n{} claims: {} reproduced, {} not reproduced, {} not decidable\nreport: {}\n", evaluations.size(),
@@ -137,7 +147,7 @@ int make_figures(const Work& work, const Options& options) {
   if (outcome.unfinished() > 0)
     fmt::print(stderr, "{} simulation{} did not finish; the figures show what exists. The same command goes on.\n",
                outcome.unfinished(), outcome.unfinished() == 1 ? "" : "s");
-  return outcome.exit_status();
+  return outcome.exit_status() == 0 && !not_drawn.empty() ? 1 : outcome.exit_status();
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <spdlog/spdlog.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -19,6 +20,7 @@
 #include "experiments/runs/run_campaign.hpp"
 #include "experiments/runs/run_estimate.hpp"
 #include "experiments/runs/run_files.hpp"
+#include "solver/laws/scene_remarks.hpp"
 #include "solver/support/folders.hpp"
 
 namespace slfb {
@@ -230,6 +232,7 @@ int run(const Options& options) {
   const auto rules = plan::load_rules();
   const Plan made = plan::make_plan(scene, options.asked.empty() ? plan::usual_questions(scene) : options.asked, rules,
                                     options.keep_forces ? plan::Forces::of_the_scene : plan::Forces::planned);
+  for (const std::string& remark : remarks_on(scene)) spdlog::warn("{}", remark);
   std::optional<std::vector<Verification>> checks;
   if (options.verify) {
     checks = verify(scene, made, options);

@@ -1,13 +1,16 @@
 #include <fmt/format.h>
+#include <spdlog/spdlog.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <limits>
 #include <map>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <stdexcept>
 #include <string>
 #include <thread>
 #include <vector>
@@ -22,6 +25,7 @@
 #include "solver/coupling/drag_relaxation.hpp"
 #include "solver/dem/packing.hpp"
 #include "solver/laws/scene_file.hpp"
+#include "solver/laws/scene_remarks.hpp"
 #include "solver/laws/user_law.hpp"
 #include "solver/support/folders.hpp"
 
@@ -75,14 +79,16 @@ int print_plan(const Options& options, const Scene& scene) {
                     {"hash", hash},
                     {"spheres", estimate.spheres},
                     {"liquid_cells", estimate.liquid_cells},
-                    {"steps_per_contact", estimate.steps_per_contact},
+                    {"steps_per_contact", number_or_null(estimate.steps_per_contact)},
                     {"dem_time_step", scene.contact.time_step},
-                    {"dem_time_step_bound", estimate.time_step_bound},
+                    {"dem_time_step_bound", number_or_null(estimate.time_step_bound)},
                     {"liquid_time_step", scene.fluid.time_step},
                     {"simulated_seconds", estimate.simulated_seconds},
                     {"simulated_seconds_at_most", estimate.longest_seconds},
                     {"particle_steps", estimate.particle_steps},
                     {"estimated_wall_seconds", wall_seconds},
+                    {"estimated_memory_bytes", estimate.memory},
+                    {"notes", remarks_on(scene)},
                     {"result", result.string()},
                     {"result_exists", exists}};
     fmt::print("{}\n", plan.dump(2));
@@ -95,9 +101,15 @@ int print_plan(const Options& options, const Scene& scene) {
   line("spheres", fmt::format("{}", estimate.spheres) +
                       (top ? fmt::format(", at the start up to {:.3g} m", *top) : std::string()));
   line("liquid cells", fmt::format("{}", estimate.liquid_cells));
-  line("steps per contact", fmt::format("{:.1f} of {:.3g} s", estimate.steps_per_contact, scene.contact.time_step));
-  line("bound of the step", fmt::format("{:.3g} s (1/ω_0 of the stiffest pair)", estimate.time_step_bound));
-  const double relaxation = coupling::packed_relaxation_time(scene, find_drag_law(scene.coupling.drag_law));
+  if (std::isnan(estimate.time_step_bound)) {
+    line("bound of the step", "unknown: contact.law is a file, and --dry-run runs no code of it");
+  } else {
+    line("steps per contact", fmt::format("{:.1f} of {:.3g} s", estimate.steps_per_contact, scene.contact.time_step));
+    line("bound of the step", fmt::format("{:.3g} s (1/ω_0 of the stiffest pair)", estimate.time_step_bound));
+  }
+  const double relaxation = is_user_law(scene.coupling.drag_law)
+                                ? std::numeric_limits<double>::infinity()
+                                : coupling::packed_relaxation_time(scene, find_drag_law(scene.coupling.drag_law));
   line("liquid step", fmt::format("{:.3g} s", scene.fluid.time_step) +
                           (scene.fluid.time_step > relaxation
                                ? fmt::format(", longer than the {:.2g} s in which drag stops a sphere of the packed "
@@ -112,6 +124,8 @@ int print_plan(const Options& options, const Scene& scene) {
        fmt::format("about {} on {} thread{}, at {:.1f} M particle steps and {:.1f} M cell steps per second and thread",
                    format_duration(wall_seconds), options.threads, options.threads == 1 ? "" : "s",
                    1e-6 * particle_steps_per_core_second, 1e-6 * cell_steps_per_core_second));
+  line("memory", fmt::format("about {:.2g} GB", 1e-9 * estimate.memory));
+  for (const std::string& remark : remarks_on(scene)) line("note", remark);
   line("result", result.string() + (exists ? " (exists: nothing would be simulated)" : ""));
   return 0;
 }
@@ -203,6 +217,8 @@ const char* status_of(const CampaignOutcome& outcome) {
 
 /// Returns the exit status.
 int run(const Options& options) {
+  std::optional<NoForeignCode> guard;
+  if (options.dry_run) guard.emplace();
   Scene scene = load_scene(options.scene, options.overrides);
   if (options.planned) {
     const plan::Plan made =
@@ -215,8 +231,11 @@ int run(const Options& options) {
     }
     scene = plan::changed(scene, made.overrides);
   }
+  if (const std::string problem = memory_problem(estimate_run(scene)); !problem.empty())
+    throw std::runtime_error(fmt::format("{}: {}", options.scene.string(), problem));
   if (options.dry_run) return print_plan(options, scene);
 
+  for (const std::string& remark : remarks_on(scene)) spdlog::warn("{}", remark);
   const std::string hash = scene_hash(scene);
   const CampaignOutcome outcome = run_scenes({{options.scene.stem().string(), scene}},
                                              {.out = options.out, .jobs = 1, .threads_per_run = options.threads});

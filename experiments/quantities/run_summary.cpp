@@ -3,11 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
-#include <limits>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
+#include "experiments/quantities/json_file.hpp"
 #include "solver/support/files.hpp"
 
 namespace slfb {
@@ -36,12 +35,6 @@ std::map<std::string, double> numbers_of_drop(const DropSeries& drop, const RunV
   return numbers;
 }
 
-/// JSON knows no NaN; the interval of a series too short to have one is null.
-nlohmann::json number(double value) { return std::isfinite(value) ? nlohmann::json(value) : nlohmann::json(); }
-double number(const nlohmann::json& value) {
-  return value.is_null() ? std::numeric_limits<double>::quiet_NaN() : value.get<double>();
-}
-
 }  // namespace
 
 RunSummary summarise(const std::string& system, const Scene& scene, const RunResult& result,
@@ -66,32 +59,29 @@ void save_summary(const RunSummary& summary, const std::filesystem::path& file, 
   for (const auto& [id, estimate] : summary.bed) {
     const Quantity* quantity = find_quantity(rules, id);
     json["bed"][id] = {{"unit", quantity == nullptr ? "-" : quantity->unit},
-                       {"mean", number(estimate.mean)},
-                       {"half_width", number(estimate.half_width)},
-                       {"autocorrelation_time", number(estimate.autocorrelation_time)},
-                       {"effective_samples", number(estimate.effective_samples)},
+                       {"mean", number_or_null(estimate.mean)},
+                       {"half_width", number_or_null(estimate.half_width)},
+                       {"autocorrelation_time", number_or_null(estimate.autocorrelation_time)},
+                       {"effective_samples", number_or_null(estimate.effective_samples)},
                        {"discarded", estimate.discarded}};
   }
-  for (const auto& [quantity, value] : summary.run) json["run"][quantity] = number(value);
+  for (const auto& [quantity, value] : summary.run) json["run"][quantity] = number_or_null(value);
   json["drops"] = nlohmann::json::array();
   for (const auto& drop : summary.drops) json["drops"].push_back(drop);
   write_file(file, json.dump(1) + "\n");
 }
 
 RunSummary load_summary(const std::filesystem::path& file) {
-  const std::string text = read_file(file);
-  try {
-    const auto json = nlohmann::json::parse(text);
+  return read_json(file, "a summary of a run", [](const nlohmann::ordered_json& json) {
     RunSummary summary;
     for (const auto& [quantity, e] : json.at("bed").items())
-      summary.bed[quantity] = {number(e.at("mean")), number(e.at("half_width")), number(e.at("autocorrelation_time")),
-                               number(e.at("effective_samples")), e.at("discarded").get<std::size_t>()};
-    for (const auto& [quantity, value] : json.at("run").items()) summary.run[quantity] = number(value);
+      summary.bed[quantity] = {number_or_nan(e.at("mean")), number_or_nan(e.at("half_width")),
+                               number_or_nan(e.at("autocorrelation_time")), number_or_nan(e.at("effective_samples")),
+                               whole_number(e.at("discarded"))};
+    for (const auto& [quantity, value] : json.at("run").items()) summary.run[quantity] = number_or_nan(value);
     for (const auto& drop : json.at("drops")) summary.drops.push_back(drop.get<std::map<std::string, double>>());
     return summary;
-  } catch (const nlohmann::json::exception& error) {
-    throw std::runtime_error(fmt::format("{}: not a summary of a run: {}", file.string(), error.what()));
-  }
+  });
 }
 
 }  // namespace slfb

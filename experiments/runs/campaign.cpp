@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "experiments/runs/run_files.hpp"
+#include "solver/laws/user_law.hpp"
 
 namespace slfb {
 
@@ -28,14 +29,20 @@ std::optional<FinishedRun> published_run(const RunSpec& spec, const Scene& scene
     run.result = load_result(file);
     if (const auto numbers = published_summary(spec); std::filesystem::exists(numbers))
       run.summary = load_summary(numbers);
-  } catch (const std::runtime_error& error) {
+    run.stale = run.result.numerics != numerics_version || run.result.name != scene_hash(scene);
+    // An older result is analysed with the scene it was made from. Its text may be anybody's: no code that it names is
+    // compiled or run.
+    if (run.stale) {
+      const NoForeignCode guard;
+      run.scene = parse_archived_scene(run.result.scene_text, file.string());
+      if (is_user_law(run.scene.coupling.drag_law) || is_user_law(run.scene.contact.law))
+        throw std::runtime_error(fmt::format("{}: its scene names a law from a file", file.string()));
+    }
+  } catch (const std::exception& error) {
     // Written by an earlier version of the suite, it may lack what this one reads.
     spdlog::warn("left out a published result: {}", error.what());
     return std::nullopt;
   }
-  run.stale = run.result.numerics != numerics_version || run.result.name != scene_hash(scene);
-  // An older result is analysed with the scene it was made from.
-  if (run.stale) run.scene = parse_archived_scene(run.result.scene_text, file.string());
   return run;
 }
 

@@ -1,6 +1,9 @@
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <set>
+#include <stdexcept>
 
 #include "experiments/quantities/over_runs.hpp"
 #include "experiments/quantities/run_summary.hpp"
@@ -17,7 +20,7 @@ class RunGroup {
       : spec_(spec), rules_(rules), measurements_(measurements) {
     for (const FinishedRun* run : runs) {
       origin_ += (origin_.empty() ? "" : ", ") + run->result.name;
-      summaries_.push_back(run->summary ? *run->summary : summarise(spec.system, run->scene, run->result, rules));
+      summaries_.push_back(run->summary ? *run->summary : summary_of(*run));
     }
   }
 
@@ -43,6 +46,15 @@ class RunGroup {
   }
 
  private:
+  [[nodiscard]] RunSummary summary_of(const FinishedRun& run) const {
+    try {
+      return summarise(spec_.system, run.scene, run.result, rules_);
+    } catch (const std::exception& error) {
+      throw std::runtime_error(fmt::format("the result of run {} ({}) cannot be measured: {}", run.result.name,
+                                           run_key(run.spec), error.what()));
+    }
+  }
+
   void add(const Quantity& quantity, double value, double half_width, std::size_t samples) {
     measurements_[measure_key(quantity.id, spec_.system, spec_.superficial_velocity, spec_.variant)] = {
         value, half_width, samples, quantity.unit, origin_};

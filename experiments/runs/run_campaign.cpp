@@ -6,6 +6,8 @@
 #include <atomic>
 #include <condition_variable>
 #include <mutex>
+#include <new>
+#include <optional>
 #include <set>
 #include <stdexcept>
 #include <thread>
@@ -32,22 +34,37 @@ struct Task {
 
 enum class Ending { finished, failed, interrupted };
 
+/// Writes a scene with its laws from files beside it, so that the folder alone can be run again.
+void archive_scene(const Scene& scene, const std::filesystem::path& directory) {
+  Scene archived = scene;
+  for (auto& [law, name] : {std::pair<std::string&, std::string>{archived.coupling.drag_law, "drag_law.cpp"},
+                            std::pair<std::string&, std::string>{archived.contact.law, "contact_law.cpp"}}) {
+    if (!is_user_law(law)) continue;
+    write_file(directory / name, user_law_text(law));
+    law = name;
+  }
+  write_file(directory / "scene.toml", canonical_toml(archived));
+}
+
 /// Runs one task and reports how it ended; `failure` is why where it failed.
 Ending run_task(const Task& task, std::size_t number, const CampaignOptions& options, const std::atomic<bool>& stop,
                 ProgressDisplay& display, std::string& failure) {
   const auto directory = run_directory(options.out, task.hash);
+  std::optional<WorkToSave> state;
+  const auto failed = [&](const std::string& why) {
+    display.end(number, fmt::format("{}: FAILED: {}", task.label, why));
+    failure = fmt::format("{}: {}", task.label, why);
+    return Ending::failed;
+  };
   try {
-    std::filesystem::create_directories(directory);
+    make_output_folder(directory);
     const RunLock lock(directory);
     if (std::filesystem::exists(result_file(options.out, task.hash))) {  // another process was faster
       display.end(number, fmt::format("{}: finished by another slfb", task.label));
       return Ending::finished;
     }
-    write_file(directory / "scene.toml", canonical_toml(*task.scene));
-    for (const auto& [law, name] : {std::pair{task.scene->coupling.drag_law, "drag_law.cpp"},
-                                    std::pair{task.scene->contact.law, "contact_law.cpp"}})
-      if (is_user_law(law))
-        std::filesystem::copy_file(law, directory / name, std::filesystem::copy_options::overwrite_existing);
+    for (const auto& folder : {directory, directory / "snapshots"}) remove_unfinished(folder);
+    archive_scene(*task.scene, directory);
     if (std::filesystem::exists(directory / "checkpoint.h5")) {
       display.message(fmt::format("{}: goes on from its last checkpoint", task.label));
     }
@@ -56,21 +73,24 @@ Ending run_task(const Task& task, std::size_t number, const CampaignOptions& opt
         run_scene(*task.scene, {.threads = options.threads_per_run,
                                 .directory = directory,
                                 .progress = [&](const Progress& progress) { display.update(number, progress); },
+                                .started = [&] { state.emplace(); },
                                 .stop = &stop});
     if (outcome.status == RunStatus::interrupted) {
       display.end(number,
                   fmt::format("{}: stopped at {:.2f} s, state saved", task.label, outcome.result.simulated_seconds));
       return Ending::interrupted;
     }
+    if (!std::filesystem::is_directory(directory))
+      display.message(fmt::format("{}: its folder {} had vanished and is made anew", task.label, directory.string()));
     save_result(outcome.result, result_file(options.out, task.hash));
     remove_checkpoints(directory);
     display.end(number, fmt::format("{}: finished, {:.2f} s simulated in {}", task.label,
                                     outcome.result.simulated_seconds, format_duration(outcome.result.wall_seconds)));
     return Ending::finished;
+  } catch (const std::bad_alloc&) {
+    return failed("the memory of this machine is used up; fewer spheres, fewer cells or fewer runs side by side");
   } catch (const std::exception& error) {
-    display.end(number, fmt::format("{}: FAILED: {}", task.label, error.what()));
-    failure = fmt::format("{}: {}", task.label, error.what());
-    return Ending::failed;
+    return failed(error.what());
   }
 }
 

@@ -1,13 +1,16 @@
 #include "experiments/runs/run_estimate.hpp"
 
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "solver/fluid/column_grid.hpp"
 #include "solver/laws/scene_file.hpp"
+#include "solver/laws/user_law.hpp"
 
 namespace slfb {
 namespace {
@@ -23,7 +26,10 @@ RunEstimate estimate_run(const Scene& scene) {
   RunEstimate estimate;
   for (const Species& species : scene.species) estimate.spheres += species.count;
   estimate.liquid_cells = liquid_cells(scene);
-  estimate.time_step_bound = contact_time_step_bound(scene);
+  // In a look without running, a law from a file tells nothing.
+  estimate.time_step_bound = is_user_law(scene.contact.law) && NoForeignCode::holds()
+                                 ? std::numeric_limits<double>::quiet_NaN()
+                                 : contact_time_step_bound(scene);
   estimate.steps_per_contact = std::numbers::pi * estimate.time_step_bound / scene.contact.time_step;
 
   bool dropping = false;
@@ -45,7 +51,18 @@ RunEstimate estimate_run(const Scene& scene) {
                                      (estimate.simulated_seconds - settling_seconds) / scene.fluid.time_step);
   estimate.core_seconds = static_cast<double>(estimate.particle_steps) / particle_steps_per_core_second +
                           static_cast<double>(estimate.cell_steps) / cell_steps_per_core_second;
+  estimate.memory =
+      bytes_at_least + bytes_per_sphere * spheres + bytes_per_cell * static_cast<double>(estimate.liquid_cells);
   return estimate;
+}
+
+std::string memory_problem(const RunEstimate& estimate) {
+  const double there = static_cast<double>(sysconf(_SC_PHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGESIZE));
+  if (estimate.memory <= there) return "";
+  return fmt::format(
+      "needs about {:.3g} GB of memory for {} spheres and {} liquid cells, and this machine has {:.3g} GB; fewer "
+      "spheres, or larger cells",
+      1e-9 * estimate.memory, estimate.spheres, estimate.liquid_cells, 1e-9 * there);
 }
 
 std::string format_duration(double seconds) {

@@ -17,6 +17,7 @@ struct RunEstimate {
   double longest_seconds = 0.0;     ///< with each dropped sphere waited for as long as the scene allows [s]
   std::int64_t particle_steps = 0;  ///< spheres times DEM steps in simulated_seconds
   std::int64_t cell_steps = 0;      ///< liquid cells times liquid steps in simulated_seconds; the bed settles without
+  double memory = 0.0;              ///< that the run takes at the most, checkpoints included [bytes]
   double core_seconds = 0.0;        ///< at the rates below [s]
 };
 
@@ -29,7 +30,16 @@ inline constexpr double typical_fall = 3.0;
 inline constexpr double particle_steps_per_core_second = 11.6e6;
 inline constexpr double cell_steps_per_core_second = 3.7e6;
 
+/// Memory for each sphere and each cell, for estimates only [bytes]: above what `slfb run` took (GNU time, maximum
+/// resident set) for 2e4 to 4e5 spheres and 5e3 to 5e5 cells. Contacts, shares of spheres in cells, the pressure solver
+/// and a checkpoint in the making are in it.
+inline constexpr double bytes_per_sphere = 2500.0, bytes_per_cell = 2000.0, bytes_at_least = 60e6;
+
 RunEstimate estimate_run(const Scene& scene);
+
+/// What is wrong with running a scene on this machine: "needs about 90 GB of memory, and this machine has 8 GB"; empty
+/// if nothing is.
+std::string memory_problem(const RunEstimate& estimate);
 
 /// "4.5 s", "45 s", "3 min 05 s", "2 h 10 min".
 std::string format_duration(double seconds);

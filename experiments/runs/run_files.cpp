@@ -4,6 +4,9 @@
 
 #include <stdexcept>
 
+#include "solver/laws/user_law.hpp"
+#include "solver/support/files.hpp"
+
 namespace slfb {
 
 Scene load_run_scene(const RunSpec& spec) { return load_scene(spec.scene, spec.overrides); }
@@ -18,7 +21,11 @@ std::filesystem::path result_file(const std::filesystem::path& out, const std::s
 
 RunResult load_own_result(const std::filesystem::path& out, const std::string& hash) {
   try {
-    return load_result(result_file(out, hash));
+    RunResult result = load_result(result_file(out, hash));
+    if (result.name != hash)
+      throw std::runtime_error(
+          fmt::format("{}: is the result of another scene, {}", result_file(out, hash).string(), result.name));
+    return result;
   } catch (const std::runtime_error& error) {
     throw std::runtime_error(fmt::format("{}; remove it to have it simulated again", error.what()));
   }
@@ -28,6 +35,8 @@ namespace {
 
 std::filesystem::path published(const RunSpec& spec, const char* ending) {
   std::string variant = spec.variant.empty() ? "default" : spec.variant;
+  for (const std::string& part : {spec.profile, spec.system, variant})
+    if (!is_plain_name(part)) throw std::runtime_error(fmt::format("\"{}\" cannot be part of a file's name", part));
   if (spec.seed) variant += fmt::format("_seed-{}", *spec.seed);
   return spec.published / spec.profile /
          fmt::format("{}_{}_{}{}", spec.system, velocity_text(spec.superficial_velocity), variant, ending);
@@ -52,6 +61,7 @@ std::filesystem::path published_summary(const RunSpec& spec) { return published(
 void publish_result(const RunSpec& spec, const RunResult& result, bool whole, const MeasuringRules& rules) {
   const auto file = published_file(spec);
   std::filesystem::create_directories(file.parent_path());
+  const NoForeignCode guard;  // the text of a result may be anybody's
   save_summary(summarise(spec.system, parse_archived_scene(result.scene_text, result.name), result, rules),
                published_summary(spec), rules);
   RunResult thinned = result;

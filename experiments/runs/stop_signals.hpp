@@ -6,8 +6,8 @@
 
 namespace slfb {
 
-/// While it lives, the first SIGINT or SIGTERM only raises a flag, so that runs can save their state; a second one ends
-/// the process at once.
+/// While it lives, the first SIGINT, SIGTERM or SIGHUP (the terminal is gone) only raises a flag, so that work can be
+/// saved; a second one ends the process at once. So does the first one as long as there is nothing to save.
 class StopSignals {
  public:
   StopSignals();
@@ -20,6 +20,16 @@ class StopSignals {
  private:
   struct sigaction previous_interrupt_ {};
   struct sigaction previous_terminate_ {};
+  struct sigaction previous_hang_up_ {};
+};
+
+/// Work that a stop should save; one object for each piece of it.
+class WorkToSave {
+ public:
+  WorkToSave();
+  ~WorkToSave();
+  WorkToSave(const WorkToSave&) = delete;
+  WorkToSave& operator=(const WorkToSave&) = delete;
 };
 
 }  // namespace slfb

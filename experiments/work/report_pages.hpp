@@ -15,7 +15,7 @@ struct ReportInputs {
   const Work& work;
   const Judgement& judgement;
   const std::vector<FinishedRun>& runs;      ///< of the judgement and of the profiles that figures read by themselves
-  const std::vector<FigureOutput>& outputs;  ///< what drawing the figures of the work left, in the same order
+  const std::vector<FigureOutput>& outputs;  ///< what drawing the figures of the work left
   const std::filesystem::path& out;          ///< folder of runs/
 };
 

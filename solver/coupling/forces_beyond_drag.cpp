@@ -1,6 +1,10 @@
 #include "solver/coupling/forces_beyond_drag.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <limits>
+#include <stdexcept>
 
 #include "solver/coupling/forces/added_mass.hpp"
 #include "solver/coupling/forces/magnus_lift.hpp"
@@ -122,9 +126,13 @@ NamedFields ForcesBeyondDrag::state() const {
   return state;
 }
 
-void ForcesBeyondDrag::restore(const NamedFields& state) {
+void ForcesBeyondDrag::restore(const NamedFields& state, std::size_t spheres) {
   const auto read = [&](const std::string& name, std::vector<Vec3>& vectors) {
     const auto& x = field_of(state, name + "_x");
+    // A sphere that has just been released is not known here yet.
+    if (x.size() > spheres)
+      throw std::runtime_error(
+          fmt::format("the field \"{}_x\" of the state has {} values for {} spheres", name, x.size(), spheres));
     const auto &y = field_of(state, name + "_y", x.size()), &z = field_of(state, name + "_z", x.size());
     vectors.clear();
     for (std::size_t i = 0; i < x.size(); ++i) vectors.push_back({x[i], y[i], z[i]});
@@ -132,9 +140,12 @@ void ForcesBeyondDrag::restore(const NamedFields& state) {
   read("self_induced", self_induced_);
   read("liquid_velocity", liquid_now_);
   read("sphere_velocity", sphere_now_);
-  if (history_)
-    history_->restore(
-        {field_of(state, "basset_history"), static_cast<std::size_t>(field_of(state, "basset_newest", 1)[0])});
+  if (!history_) return;
+  history_->restore(
+      {field_of(state, "basset_history"), index_of(state, "basset_newest", 0, std::numeric_limits<int>::max())});
+  if (history_->size() > spheres)
+    throw std::runtime_error(fmt::format("the field \"basset_history\" of the state has {} spheres instead of {}",
+                                         history_->size(), spheres));
 }
 
 }  // namespace slfb::coupling

@@ -73,8 +73,9 @@ class ForcesBeyondDrag {
   /// All that the next step depends on, for checkpoints: self_induced_x and so on, liquid_velocity_x, sphere_velocity_x
   /// per sphere [m/s]; basset_history and basset_newest where that force is on.
   [[nodiscard]] NamedFields state() const;
-  /// \throws std::runtime_error if a field is missing, std::invalid_argument if the history has another window
-  void restore(const NamedFields& state);
+  /// \throws std::runtime_error if a field is missing or of another length, std::invalid_argument if the history has
+  /// another window
+  void restore(const NamedFields& state, std::size_t spheres);
 
  private:
   Coupling coupling_;

@@ -129,14 +129,13 @@ NamedFields LiquidVolumes::state() const {
 }
 
 void LiquidVolumes::restore(const NamedFields& state, const std::vector<double>& radius) {
-  before_ = field_of(state, "liquid_volume");
   const std::size_t cells = grid_.size(), spheres = radius.size();
+  before_ = field_or_none(state, "liquid_volume", cells);
   anew_ = before_.empty();
-  if (!anew_) before_ = field_of(state, "liquid_volume", cells);
   if (!state.contains("interval/steps")) return;
-  const auto& steps = field_of(state, "interval/steps", 2);
-  steps_ = static_cast<int>(steps[0]);
-  steps_done_ = static_cast<int>(steps[1]);
+  constexpr std::size_t most = std::numeric_limits<int>::max();
+  steps_ = static_cast<int>(index_of(state, "interval/steps", 0, most));
+  steps_done_ = static_cast<int>(index_of(state, "interval/steps", 1, static_cast<std::size_t>(steps_)));
   at_start_ = field_of(state, "interval/liquid_at_start", cells);
   at_end_ = field_of(state, "interval/liquid_at_end", cells);
   centres_ = {field_of(state, "interval/centre_x", spheres), field_of(state, "interval/centre_y", spheres),

@@ -4,16 +4,37 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <utility>
 
+#include "correlations/fluidisation/fluidisation_laws.hpp"
+#include "correlations/law_list.hpp"
 #include "correlations/materials.hpp"
 #include "solver/support/stopwatch.hpp"
 
 namespace slfb::coupling {
+namespace {
+
+bool is_file(const std::string& law) { return law.ends_with(".cpp"); }
+
+using WallLaw = double (*)(double diameter_ratio);
+
+WallLaw wall_law_of(const Scene& scene) {
+  if (scene.coupling.wall_retardation == "none") return nullptr;
+  return with_law<fluidisation::WallCorrectionLaws>(
+      "wall law", scene.coupling.wall_retardation,
+      [](auto law) -> WallLaw { return [](double diameter_ratio) { return decltype(law){}(diameter_ratio); }; });
+}
+
+}  // namespace
 
 PhaseCoupling::PhaseCoupling(const Scene& scene, fluid::Liquid& liquid, const drag::DragLawKernels& drag_law)
     : scene_(scene),
       liquid_(liquid),
       law_(drag_law.drag),
+      law_name_(is_file(scene.coupling.drag_law) ? fmt::format("{} ({})", drag_law.info.name, scene.coupling.drag_law)
+                                                 : std::string(drag_law.info.name)),
+      wall_law_(wall_law_of(scene)),
       volumes_(scene, liquid),
       point_values_(liquid.grid(), scene.coupling.interpolation, scene.fluid.wall == LateralBoundary::no_slip),
       beyond_drag_(scene, scene.fluid.time_step),
@@ -43,7 +64,7 @@ NamedFields PhaseCoupling::state() const {
 
 void PhaseCoupling::restore(const NamedFields& state, const dem::Particles& particles) {
   volumes_.restore(state, particles.radius);
-  beyond_drag_.restore(part_of(state, "forces_beyond_drag"));
+  beyond_drag_.restore(part_of(state, "forces_beyond_drag"), particles.size());
   cells_valid_ = velocity_is_gathered_ = false;
 }
 
@@ -143,11 +164,8 @@ void PhaseCoupling::read_at_spheres(const dem::Engine& engine, double time_step)
       // Equation (25)
       reynolds_[i] = density * 2.0 * particles.radius[i] * voidage_[i] * std::sqrt(x * x + y * y + z * z) / viscosity;
     }
-    const std::size_t count = end - begin;
     // One indirect call per block of spheres; the law itself is inlined in the loop over them.
-    law_(&voidage_[begin], &reynolds_[begin], &coefficient_[begin], count);
-    if (scene_.coupling.drag_times_voidage)  // Equation (20) as printed
-      for (std::size_t i = begin; i < end; ++i) coefficient_[i] *= voidage_[i];
+    evaluate_law(particles, begin, end, coefficient_);
     for (std::size_t i = begin; i < end; ++i) {
       const std::array<double, 8>& value = values[i - begin];
       const double volume = volume_[i], per_inertia = time_step / particles.inertial_mass(i);
@@ -170,6 +188,52 @@ void PhaseCoupling::read_at_spheres(const dem::Engine& engine, double time_step)
       }
     }
   }
+}
+
+/// F of the drag law for some spheres. A tube slows a sphere alone to k times its velocity: its drag at Re is k^-1
+/// times that without walls at Re/k. What a law throws or gives goes to law_error_, as threads cannot throw.
+void PhaseCoupling::evaluate_law(const dem::Particles& particles, std::size_t begin, std::size_t end,
+                                 std::vector<double>& result) {
+  const auto k = [&](std::size_t i) { return wall_law_(2.0 * particles.radius[i] / scene_.geometry.diameter); };
+  try {
+    if (wall_law_ != nullptr)
+      for (std::size_t i = begin; i < end; ++i) reynolds_[i] /= k(i);
+    law_(&voidage_[begin], &reynolds_[begin], &result[begin], end - begin);
+    if (wall_law_ != nullptr)
+      for (std::size_t i = begin; i < end; ++i) {
+        reynolds_[i] *= k(i);
+        result[i] /= k(i);
+      }
+    if (scene_.coupling.drag_times_voidage)  // Equation (20) as printed
+      for (std::size_t i = begin; i < end; ++i) result[i] *= voidage_[i];
+    bool usable = true;
+    for (std::size_t i = begin; i < end; ++i)
+      usable = usable && result[i] >= 0.0 && result[i] < std::numeric_limits<double>::infinity();
+    if (usable) return;
+    for (std::size_t i = begin; i < end; ++i)
+      if (!(result[i] >= 0.0 && result[i] < std::numeric_limits<double>::infinity()) && std::isfinite(voidage_[i]) &&
+          std::isfinite(reynolds_[i]))
+        throw LawError(fmt::format(
+            "the drag law {} gives {:g} times Stokes drag at a voidage of {:.6g} and Re = {:.6g}; a drag is positive",
+            law_name_, result[i], voidage_[i], reynolds_[i]));
+  } catch (const LawError&) {
+    keep_law_error(std::current_exception());
+  } catch (const std::exception& error) {
+    keep_law_error(
+        std::make_exception_ptr(LawError(fmt::format("the drag law {} fails: {}", law_name_, error.what()))));
+  } catch (...) {
+    keep_law_error(std::make_exception_ptr(
+        LawError(fmt::format("the drag law {} throws something that is no std::exception", law_name_))));
+  }
+}
+
+void PhaseCoupling::keep_law_error(std::exception_ptr error) {
+#pragma omp critical(drag_law_error)
+  if (!law_error_) law_error_ = std::move(error);
+}
+
+void PhaseCoupling::raise_law_error() {
+  if (law_error_) std::rethrow_exception(std::exchange(law_error_, nullptr));
 }
 
 /// The stress that is in v' acts through the drag on the liquid: the liquid is solved with it. Taken from before the
@@ -246,9 +310,8 @@ double PhaseCoupling::update_coefficient(const dem::Engine& engine, double time_
     for (std::size_t a = 0; a < 3; ++a) squared += drag_[a][i] * drag_[a][i];
     reynolds_[i] = density * 2.0 * particles.radius[i] * voidage_[i] * std::sqrt(squared) / coefficient_[i] / viscosity;
   }
-  law_(voidage_.data(), reynolds_.data(), next_coefficient_.data(), voidage_.size());
-  if (scene_.coupling.drag_times_voidage)
-    for (std::size_t i = 0; i < particles.size(); ++i) next_coefficient_[i] *= voidage_[i];
+  evaluate_law(particles, 0, particles.size(), next_coefficient_);
+  raise_law_error();
   double change = 0.0;
   for (std::size_t i = 0; i < particles.size(); ++i) {
     const double coefficient =
@@ -271,6 +334,7 @@ void PhaseCoupling::advance(dem::Engine& engine, double time_step) {
   cells_valid_ ? update_section_means() : read_liquid(engine.threads());
   if (beyond_drag_.any()) apply_forces_beyond_drag(engine);
   read_at_spheres(engine, time_step);
+  raise_law_error();
   NamedFields start;
   if (implicit_) start = liquid_.state();
   for (passes_ = 1;; ++passes_) {

@@ -1,6 +1,9 @@
 #pragma once
 
 #include <array>
+#include <exception>
+#include <stdexcept>
+#include <string>
 #include <vector>
 
 #include "correlations/drag/drag_law_kernels.hpp"
@@ -11,6 +14,11 @@
 #include "solver/fluid/liquid.hpp"
 
 namespace slfb::coupling {
+
+/// A drag law threw, or gave a drag that is negative or not finite. what() names the law, its file and the flow.
+struct LawError : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
 
 /// Momentum exchange between spheres and liquid over one liquid step (Peng 2014, Eqs. 20-22, 28, 29, 35).
 ///
@@ -34,8 +42,9 @@ class PhaseCoupling {
 
   /// Solves the liquid over `time_step` [s] from the present spheres, sets their external_force and, with Magnus's
   /// lift, turns them. \throws fluid::FluidError as Liquid::advance() does (a cell without liquid, an equation that
-  /// does not converge, a value that is not finite), and if the implicit exchange does not converge within 50 passes;
-  /// std::invalid_argument if a sphere is larger than the largest of the scene's species
+  /// does not converge, a value that is not finite), if the drag law throws or gives a drag that is negative or not
+  /// finite (it is named), and if the implicit exchange does not converge within 50 passes; std::invalid_argument if a
+  /// sphere is larger than the largest of the scene's species
   void advance(dem::Engine& engine, double time_step);
 
   /// Tells that a sphere has been put in, or that sphere i has been taken out: the next step sees no liquid displaced
@@ -45,6 +54,8 @@ class PhaseCoupling {
 
   /// At sphere i after the last advance: voidage α [-], Re = ρ d α |u − v|/μ [-], liquid velocity [m/s] and drag [N]
   /// along axis a. With forces beyond drag the latter holds what is linear in the slip of the history force too.
+  /// `knows`: sphere i took part in that advance.
+  [[nodiscard]] bool knows(std::size_t i) const { return i < voidage_.size(); }
   [[nodiscard]] double voidage(std::size_t i) const { return voidage_[i]; }
   [[nodiscard]] double reynolds(std::size_t i) const { return reynolds_[i]; }
   [[nodiscard]] double liquid_velocity(std::size_t i, std::size_t a) const { return liquid_velocity_[a][i]; }
@@ -94,11 +105,17 @@ class PhaseCoupling {
   void give_to_liquid(const dem::Engine& engine, double time_step);
   void give_to_spheres(dem::Engine& engine, double time_step);
   [[nodiscard]] double update_coefficient(const dem::Engine& engine, double time_step);
+  void evaluate_law(const dem::Particles& particles, std::size_t begin, std::size_t end, std::vector<double>& result);
+  void keep_law_error(std::exception_ptr error);
+  void raise_law_error();
   void disturb_liquid(const dem::Particles& particles);
 
   const Scene& scene_;
   fluid::Liquid& liquid_;
   drag::DragKernel law_;
+  std::string law_name_;                       ///< as errors call it
+  double (*wall_law_)(double diameter_ratio);  ///< terminal velocity in a tube over that without walls; may be null
+  std::exception_ptr law_error_;               ///< the first of this step
   LiquidVolumes volumes_;
   PointValues point_values_;
   ForcesBeyondDrag beyond_drag_;

@@ -469,6 +469,12 @@ void Engine::for_partitions(Work work) {
       work(*partitions_[t]);
     } catch (const EngineError& error) {
       partitions_[t]->failure = error.what();
+    } catch (const std::exception& error) {
+      partitions_[t]->failure =
+          fmt::format("the contact law {} ({}) fails: {}", law_.info.name, contact_.law, error.what());
+    } catch (...) {
+      partitions_[t]->failure = fmt::format("the contact law {} ({}) throws something that is no std::exception",
+                                            law_.info.name, contact_.law);
     }
   }
   for (auto& partition : partitions_)

@@ -148,6 +148,7 @@ std::vector<PlacedSphere> sites_by_size(const Scene& scene, const std::vector<in
 
 std::vector<PlacedSphere> lattice(const Scene& scene) {
   const std::vector<int> order = shuffled_species(scene);
+  if (order.empty()) return {};
   std::vector<PlacedSphere> spheres = one_sphere_a_site(scene, order);
   if (spheres.size() < order.size()) spheres = sites_by_size(scene, order);
   if (spheres.size() < order.size())

@@ -343,12 +343,12 @@ void MomentumEquations::add_state(NamedFields& state) const {
 
 void MomentumEquations::restore(const NamedFields& state) {
   for (Component& c : component) {
-    c.velocity = field_of(state, fmt::format("velocity_{}", "xyz"[c.axis]));
-    c.viscous = field_of(state, fmt::format("viscous_{}", "xyz"[c.axis]));
-    c.earlier = field_of(state, fmt::format("earlier_velocity_{}", "xyz"[c.axis]));
+    c.velocity = field_of(state, fmt::format("velocity_{}", "xyz"[c.axis]), c.velocity.size());
+    c.viscous = field_of(state, fmt::format("viscous_{}", "xyz"[c.axis]), c.viscous.size());
+    c.earlier = field_of(state, fmt::format("earlier_velocity_{}", "xyz"[c.axis]), c.earlier.size());
   }
-  earlier_volume_ = field_of(state, "earlier_volume");
-  last_volume_ = field_of(state, "last_volume");
+  earlier_volume_ = field_or_none(state, "earlier_volume", volume_change_.size());
+  last_volume_ = field_or_none(state, "last_volume", volume_change_.size());
   nodes_hold_last_volume_ = false;
   component[vertical].inlet_before =
       state.contains("inlet_before") ? field_of(state, "inlet_before") : std::vector<double>{};

@@ -179,7 +179,7 @@ NamedFields StaggeredLiquid::state() const {
 
 void StaggeredLiquid::restore(const NamedFields& state) {
   momentum_.restore(state);
-  pressure_ = field_of(state, "pressure");
+  pressure_ = field_of(state, "pressure", pressure_.size());
   update_pressure_gradient();
 }
 

@@ -2,14 +2,19 @@
 
 #include <fmt/format.h>
 #include <hdf5.h>
-#include <unistd.h>
+#include <xxhash.h>
 
 #include <algorithm>
+#include <array>
 #include <atomic>
+#include <fstream>
 #include <mutex>
-#include <numeric>
 #include <stdexcept>
+#include <string_view>
 #include <utility>
+
+#include "solver/support/child_process.hpp"
+#include "solver/support/files.hpp"
 
 namespace slfb::io {
 namespace {
@@ -70,35 +75,92 @@ std::string reason() {
                                        why.empty() ? "" : fmt::format(" ({})", why)));
 }
 
+/// Number of values of a shape. Throws std::runtime_error if no memory could hold them.
 std::size_t product(const Shape& shape) {
-  return std::accumulate(shape.begin(), shape.end(), std::size_t{1}, std::multiplies<>());
+  std::size_t count = 1;
+  for (const std::size_t extent : shape)
+    if (__builtin_mul_overflow(count, extent, &count)) throw std::runtime_error("its shape has too many values");
+  return count;
+}
+
+/// What stands in front of the HDF5 part of a file with a checksum. HDF5 looks for its own part at 0, 512, 1024, ….
+constexpr std::size_t block_size = 512;
+constexpr std::string_view block_start = "slfb file, XXH3-64 of the bytes from 512 on: ";
+constexpr std::string_view hdf5_start("\x89HDF\r\n\x1a\n", 8);
+
+std::string checksum_block(std::string_view content) {
+  std::string block =
+      fmt::format("{}{:016x}\n", block_start, static_cast<std::uint64_t>(XXH3_64bits(content.data(), content.size())));
+  block.resize(block_size, '\0');
+  return block;
+}
+
+/// Properties of a file that HDF5 keeps in memory; `image` is what it holds at first. The caller closes them.
+hid_t file_in_memory(std::string_view image, const std::filesystem::path& file) {
+  constexpr std::size_t growth = 1U << 20U;
+  const hid_t access = H5Pcreate(H5P_FILE_ACCESS);
+  bool made = H5Pset_fapl_core(access, growth, false) >= 0;
+  if (!image.empty()) {
+    // HDF5 copies the image, though its interface does not promise to leave it as it is.
+    made = made && H5Pset_file_image(access, const_cast<char*>(image.data()), image.size()) >= 0;
+  }
+  if (!made) fail_on(file, "prepare memory for the HDF5 file", "");
+  return access;
+}
+
+/// HDF5 takes files of one name for the same file.
+std::string name_in_memory(const std::filesystem::path& file) {
+  static std::atomic<unsigned> counter{0};
+  return fmt::format("{}#{}", file.string(), counter++);
 }
 
 }  // namespace
 
-Hdf5File Hdf5File::create(const std::filesystem::path& file) {
+Hdf5File Hdf5File::create(const std::filesystem::path& file, Checksum checksum) {
   const LibraryLock lock;
-  const hid_t handle = H5Fcreate(file.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT);
+  const Handle access(file_in_memory({}, file), H5Pclose);
+  const hid_t handle = H5Fcreate(name_in_memory(file).c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access.get());
   if (handle < 0) fail_on(file, "create the HDF5 file", "");
-  return {file, handle};
+  return {file, handle, checksum, 0};
 }
 
-Hdf5File Hdf5File::open(const std::filesystem::path& file) {
-  if (!std::filesystem::exists(file)) {
-    throw std::runtime_error(fmt::format("{}: cannot open the HDF5 file (it does not exist)", file.string()));
+Hdf5File Hdf5File::open(const std::filesystem::path& file, Checksum required) {
+  const auto status = std::filesystem::status(file);
+  const auto unfit = [&](const std::string& why) {
+    return std::runtime_error(fmt::format("{}: cannot open the HDF5 file ({})", file.string(), why));
+  };
+  if (!std::filesystem::exists(status)) throw unfit("it does not exist");
+  if (!std::filesystem::is_regular_file(status)) throw unfit("it is no regular file");
+  const std::string bytes = read_file(file);
+  std::string_view content = bytes;
+  const bool checked = content.starts_with(block_start);
+  if (checked) {
+    content.remove_prefix(std::min(block_size, content.size()));
+    if (checksum_block(content) != std::string_view(bytes).substr(0, block_size))
+      throw unfit("it is damaged: its checksum does not fit its content");
+  } else if (required == Checksum::whole_file) {
+    throw unfit(content.starts_with(hdf5_start) ? "it has no checksum: an earlier version of slfb wrote it"
+                                                : "it is damaged: the checksum at its start is missing");
   }
+  if (!content.starts_with(hdf5_start)) throw unfit("it is damaged or of another kind: file signature not found");
   const LibraryLock lock;
-  const hid_t handle = H5Fopen(file.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT);
+  const Handle access(file_in_memory(content, file), H5Pclose);
+  const hid_t handle = H5Fopen(name_in_memory(file).c_str(), H5F_ACC_RDONLY, access.get());
   if (handle < 0) fail_on(file, "open the HDF5 file", "");
-  return {file, handle};
+  return {file, handle, checked ? Checksum::whole_file : Checksum::none, content.size()};
 }
 
 Hdf5File::Hdf5File(Hdf5File&& other) noexcept
-    : file_(std::move(other.file_)), handle_(std::exchange(other.handle_, -1)) {}
+    : file_(std::move(other.file_)),
+      handle_(std::exchange(other.handle_, -1)),
+      checksum_(other.checksum_),
+      size_(other.size_) {}
 
 Hdf5File& Hdf5File::operator=(Hdf5File&& other) noexcept {
   std::swap(file_, other.file_);
   std::swap(handle_, other.handle_);
+  std::swap(checksum_, other.checksum_);
+  std::swap(size_, other.size_);
   return *this;
 }
 
@@ -111,10 +173,24 @@ Hdf5File::~Hdf5File() {
 void Hdf5File::close() {
   if (handle_ < 0) return;
   const LibraryLock lock;
-  if (H5Fclose(std::exchange(handle_, -1)) < 0) fail("write and close the file", "");
+  std::string image;
+  if (size_ == 0) {
+    if (H5Fflush(handle_, H5F_SCOPE_LOCAL) < 0) fail("complete the file", "");
+    const ssize_t size = H5Fget_file_image(handle_, nullptr, 0);
+    if (size <= 0) fail("complete the file", "");
+    image.resize(static_cast<std::size_t>(size));
+    if (H5Fget_file_image(handle_, image.data(), image.size()) != size) fail("complete the file", "");
+  }
+  if (H5Fclose(std::exchange(handle_, -1)) < 0) fail("close the file", "");
+  if (size_ == 0)
+    write_file(file_, {checksum_ == Checksum::none ? std::string() : checksum_block(image), image}, Durability::disk);
 }
 
 void Hdf5File::fail(const std::string& tried, const std::string& object) const { fail_on(file_, tried, object); }
+
+void Hdf5File::reject(const std::string& object, const std::string& why) const {
+  throw std::runtime_error(fmt::format("{}: \"{}\" {}", file_.string(), object, why));
+}
 
 void Hdf5File::write_values(const std::string& path, const void* values, std::size_t count, std::int64_t memory_type,
                             std::int64_t file_type, const Shape& shape, const std::string& unit) {
@@ -225,10 +301,64 @@ void Hdf5File::write_attribute(const std::string& object, const std::string& nam
   write_attribute_values(object, name, value.c_str(), type.get(), type.get(), space.get());
 }
 
+/// Links that lead out of the file, or nowhere, are refused.
+void Hdf5File::check_links(const std::string& path) const {
+  for (std::size_t end = 0; end != std::string::npos;) {
+    end = path.find('/', end + 1);
+    const std::string part = path.substr(0, end);
+    H5L_info_t info;
+    if (part == "/" || part.empty()) continue;
+    if (H5Lget_info(handle_, part.c_str(), &info, H5P_DEFAULT) < 0) fail("open the data set", path);
+    if (info.type != H5L_TYPE_HARD) reject(part, "is a link to something else, which this suite never writes");
+  }
+}
+
+void Hdf5File::check_numbers(std::int64_t type, bool integers, const std::string& object) const {
+  const std::array whole{H5T_STD_I64LE, H5T_STD_U32LE, H5T_STD_U8LE};
+  const std::array real{H5T_IEEE_F64LE, H5T_IEEE_F32LE};
+  const auto is = [&](hid_t known) { return H5Tequal(type, known) > 0; };
+  if (std::any_of(whole.begin(), whole.end(), is)) return;
+  if (integers) reject(object, "holds no whole numbers");
+  if (std::none_of(real.begin(), real.end(), is)) reject(object, "holds no numbers");
+}
+
+std::int64_t Hdf5File::open_data_set(const std::string& path) const {
+  check_links(path);
+  const hid_t data = H5Dopen2(handle_, path.c_str(), H5P_DEFAULT);
+  if (data < 0) fail("open the data set", path);
+  try {
+    const Handle layout(H5Dget_create_plist(data), H5Pclose);
+    if (!layout.valid()) fail("read the layout of", path);
+    const H5D_layout_t kind = H5Pget_layout(layout.get());
+    if (kind == H5D_VIRTUAL || H5Pget_external_count(layout.get()) != 0) reject(path, "lies in other files");
+    for (int k = 0; k < H5Pget_nfilters(layout.get()); ++k) {
+      unsigned flags = 0, settings = 0;
+      std::size_t count = 0;
+      const H5Z_filter_t filter =
+          H5Pget_filter2(layout.get(), static_cast<unsigned>(k), &flags, &count, nullptr, 0, nullptr, &settings);
+      if (filter != H5Z_FILTER_DEFLATE && filter != H5Z_FILTER_SHUFFLE)
+        reject(path, fmt::format("is packed in a way that this suite does not use (filter {})", filter));
+    }
+    // Deflate makes nothing smaller than 1/1032 (zlib's manual), so that a file bounds what it can hold.
+    constexpr std::size_t largest_ratio = 1032;
+    const Handle space(H5Dget_space(data), H5Sclose);
+    const Handle type(H5Dget_type(data), H5Tclose);
+    if (!space.valid() || !type.valid()) fail("read the shape of", path);
+    const hssize_t count = H5Sget_simple_extent_npoints(space.get());
+    const std::size_t bytes_each = H5Tget_size(type.get());
+    if (count < 0 || bytes_each == 0) fail("read the shape of", path);
+    if (static_cast<std::size_t>(count) > largest_ratio * size_ / bytes_each)
+      reject(path, fmt::format("claims to hold {} values, more than the file of {} bytes can", count, size_));
+  } catch (...) {
+    H5Dclose(data);
+    throw;
+  }
+  return data;
+}
+
 Shape Hdf5File::shape(const std::string& path) const {
   const LibraryLock lock;
-  const Handle data(H5Dopen2(handle_, path.c_str(), H5P_DEFAULT), H5Dclose);
-  if (!data.valid()) fail("open the data set", path);
+  const Handle data(open_data_set(path), H5Dclose);
   const Handle space(H5Dget_space(data.get()), H5Sclose);
   const int rank = H5Sget_simple_extent_ndims(space.get());
   if (rank < 0) fail("read the shape of", path);
@@ -239,9 +369,10 @@ Shape Hdf5File::shape(const std::string& path) const {
 
 template <class Value>
 std::vector<Value> Hdf5File::read_values(const std::string& path, std::int64_t memory_type) const {
-  std::vector<Value> values(product(shape(path)));
-  const Handle data(H5Dopen2(handle_, path.c_str(), H5P_DEFAULT), H5Dclose);
-  if (!data.valid()) fail("open the data set", path);
+  const Handle data(open_data_set(path), H5Dclose);
+  const Handle space(H5Dget_space(data.get()), H5Sclose), type(H5Dget_type(data.get()), H5Tclose);
+  check_numbers(type.get(), std::is_integral_v<Value>, path);
+  std::vector<Value> values(static_cast<std::size_t>(H5Sget_simple_extent_npoints(space.get())));
   if (!values.empty() && H5Dread(data.get(), memory_type, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()) < 0) {
     fail("read the data set", path);
   }
@@ -269,9 +400,12 @@ std::vector<Value> Hdf5File::read_attribute_values(const std::string& object, co
   const std::string item = fmt::format("{}@{}", object, name);
   const Handle attribute(H5Aopen_by_name(handle_, object.c_str(), name.c_str(), H5P_DEFAULT, H5P_DEFAULT), H5Aclose);
   if (!attribute.valid()) fail("open the attribute", item);
-  const Handle space(H5Aget_space(attribute.get()), H5Sclose);
+  const Handle space(H5Aget_space(attribute.get()), H5Sclose), type(H5Aget_type(attribute.get()), H5Tclose);
+  check_numbers(type.get(), std::is_integral_v<Value>, item);
   const hssize_t count = H5Sget_simple_extent_npoints(space.get());
   if (count < 0) fail("read the shape of the attribute", item);
+  if (static_cast<std::size_t>(count) > size_)  // HDF5 stores attributes as they are
+    reject(item, fmt::format("claims to hold {} values, more than the file of {} bytes can", count, size_));
   std::vector<Value> values(static_cast<std::size_t>(count));
   if (H5Aread(attribute.get(), memory_type, values.data()) < 0) fail("read the attribute", item);
   return values;
@@ -279,12 +413,16 @@ std::vector<Value> Hdf5File::read_attribute_values(const std::string& object, co
 
 double Hdf5File::read_double_attribute(const std::string& object, const std::string& name) const {
   const LibraryLock lock;
-  return read_attribute_values<double>(object, name, H5T_NATIVE_DOUBLE).at(0);
+  const auto values = read_attribute_values<double>(object, name, H5T_NATIVE_DOUBLE);
+  if (values.size() != 1) reject(fmt::format("{}@{}", object, name), "is not one number");
+  return values.front();
 }
 
 std::int64_t Hdf5File::read_integer_attribute(const std::string& object, const std::string& name) const {
   const LibraryLock lock;
-  return read_attribute_values<std::int64_t>(object, name, H5T_NATIVE_INT64).at(0);
+  const auto values = read_attribute_values<std::int64_t>(object, name, H5T_NATIVE_INT64);
+  if (values.size() != 1) reject(fmt::format("{}@{}", object, name), "is not one number");
+  return values.front();
 }
 
 std::vector<double> Hdf5File::read_doubles_attribute(const std::string& object, const std::string& name) const {
@@ -302,9 +440,10 @@ std::string Hdf5File::read_string_attribute(const std::string& object, const std
   const std::string item = fmt::format("{}@{}", object, name);
   const Handle attribute(H5Aopen_by_name(handle_, object.c_str(), name.c_str(), H5P_DEFAULT, H5P_DEFAULT), H5Aclose);
   if (!attribute.valid()) fail("open the attribute", item);
-  const Handle type(H5Aget_type(attribute.get()), H5Tclose);
-  if (H5Tget_class(type.get()) != H5T_STRING || H5Tis_variable_str(type.get()) != 0) {
-    fail("read as fixed-length text the attribute", item);
+  const Handle type(H5Aget_type(attribute.get()), H5Tclose), space(H5Aget_space(attribute.get()), H5Sclose);
+  if (H5Tget_class(type.get()) != H5T_STRING || H5Tis_variable_str(type.get()) != 0 ||
+      H5Sget_simple_extent_npoints(space.get()) != 1 || H5Tget_size(type.get()) > size_) {
+    fail("read as one text of fixed length the attribute", item);
   }
   std::string value(H5Tget_size(type.get()), '\0');
   if (H5Aread(attribute.get(), type.get(), value.data()) < 0) fail("read the attribute", item);
@@ -353,22 +492,30 @@ std::vector<std::string> Hdf5File::children(const std::string& group) const {
   return names;
 }
 
-void write_atomically(const std::filesystem::path& file, const std::function<void(Hdf5File&)>& fill) {
+void write_atomically(const std::filesystem::path& file, const std::function<void(Hdf5File&)>& fill,
+                      Checksum checksum) {
   if (file.has_parent_path()) std::filesystem::create_directories(file.parent_path());
-  // The name differs between processes and threads, so that two writers of one file do not share a temporary.
-  static std::atomic<unsigned> counter{0};
-  std::filesystem::path temporary = file;
-  temporary += fmt::format(".{}-{}.part", getpid(), counter++);
-  try {
-    Hdf5File target = Hdf5File::create(temporary);
-    fill(target);
-    target.close();
-    std::filesystem::rename(temporary, file);
-  } catch (...) {
-    std::error_code ignored;
-    std::filesystem::remove(temporary, ignored);
-    throw;
+  Hdf5File target = Hdf5File::create(file, checksum);
+  fill(target);
+  target.close();
+}
+
+bool starts_with_checksum(const std::filesystem::path& file) {
+  if (!std::filesystem::is_regular_file(file)) return false;
+  std::string start(block_start.size(), '\0');
+  std::ifstream stream(file, std::ios::binary);
+  stream.read(start.data(), static_cast<std::streamsize>(start.size()));
+  return start == block_start;
+}
+
+void read_with_care(const std::filesystem::path& file, const std::function<void()>& read) {
+  constexpr unsigned patience = 60;  // [s]
+  {
+    const LibraryLock lock;  // no other thread is within the library when the process is copied
+    if (const auto trouble = trouble_in_child(read, patience))
+      throw std::runtime_error(fmt::format("{}: damaged: reading it {}", file.string(), *trouble));
   }
+  read();
 }
 
 }  // namespace slfb::io

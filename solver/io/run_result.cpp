@@ -2,10 +2,15 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
+#include <cmath>
+#include <limits>
 #include <stdexcept>
+#include <utility>
 
 #include "solver/io/hdf5_file.hpp"
+#include "solver/support/files.hpp"
 
 namespace slfb {
 namespace {
@@ -99,9 +104,9 @@ constexpr std::array fluctuation_columns{
     Column<Liquid>{"series_y", "m s-1", &Liquid::series_y},
     Column<Liquid>{"series_z", "m s-1", &Liquid::series_z},
     Column<Liquid>{"series_vector", "m s-1", &Liquid::series_vector},
-    Column<Liquid>{"samples_x", "m s-1", &Liquid::samples_x, Storage::float64},
-    Column<Liquid>{"samples_y", "m s-1", &Liquid::samples_y, Storage::float64},
-    Column<Liquid>{"samples_z", "m s-1", &Liquid::samples_z, Storage::float64},
+    Column<Liquid>{"sampled_velocity_x", "m s-1", &Liquid::samples_x, Storage::float64},
+    Column<Liquid>{"sampled_velocity_y", "m s-1", &Liquid::samples_y, Storage::float64},
+    Column<Liquid>{"sampled_velocity_z", "m s-1", &Liquid::samples_z, Storage::float64},
 };
 
 constexpr std::array snapshot_columns{
@@ -118,21 +123,113 @@ void write_columns(Hdf5File& file, const std::string& group, const Columns& colu
   }
 }
 
+[[noreturn]] void fail(const Hdf5File& file, const std::string& item, const std::string& what) {
+  throw std::runtime_error(fmt::format("{}: \"{}\" {}", file.file().string(), item, what));
+}
+
+void check_length(const Hdf5File& file, const std::string& item, std::size_t length, std::size_t expected) {
+  if (length != expected) fail(file, item, fmt::format("has {} values instead of {}", length, expected));
+}
+
+std::vector<double> read_column(const Hdf5File& file, const std::string& path) {
+  std::vector<double> values = file.read_doubles(path);
+  if (!std::ranges::all_of(values, [](double value) { return std::isfinite(value); }))
+    fail(file, path, "holds a value that is no finite number");
+  return values;
+}
+
 template <class Columns, class Group>
 void read_columns(const Hdf5File& file, const std::string& group, const Columns& columns, Group& values) {
   for (const auto& column : columns) {
     const std::string path = fmt::format("{}/{}", group, column.name);
     if (column.may_be_missing && !file.exists(path)) continue;
-    values.*column.values = file.read_doubles(path);
+    values.*column.values = read_column(file, path);
   }
+}
+
+/// A group whose columns are as long as its first one.
+template <class Columns, class Group>
+void read_series(const Hdf5File& file, const std::string& group, const Columns& columns, Group& values) {
+  read_columns(file, group, columns, values);
+  for (const auto& column : columns) {
+    const std::vector<double>& read = values.*column.values;
+    if (column.may_be_missing && read.empty()) continue;
+    check_length(file, fmt::format("{}/{}", group, column.name), read.size(), (values.*columns.front().values).size());
+  }
+}
+
+void check_times(const Hdf5File& file, const std::string& item, const std::vector<double>& times) {
+  if (!std::ranges::is_sorted(times)) fail(file, item, "goes back in time");
 }
 
 /// A single number with a unit is a data set of one value, so that it too carries the attribute.
 double read_number(const Hdf5File& file, const std::string& path) {
   const std::vector<double> values = file.read_doubles(path);
-  if (values.size() == 1) return values.front();
-  throw std::runtime_error(
-      fmt::format("{}: \"{}\" holds {} values instead of one", file.file().string(), path, values.size()));
+  if (values.size() != 1) fail(file, path, fmt::format("holds {} values instead of one", values.size()));
+  if (!std::isfinite(values.front())) fail(file, path, "is no finite number");
+  return values.front();
+}
+
+double read_duration(const Hdf5File& file, const std::string& name) {
+  const double value = file.read_double_attribute("/", name);
+  if (!(std::isfinite(value) && value >= 0.0)) fail(file, "/@" + name, "is no positive number");
+  return value;
+}
+
+/// A whole number from 0, or from `least`, to `most`.
+std::int64_t read_whole(const Hdf5File& file, const std::string& object, const std::string& name, std::int64_t most,
+                        std::int64_t least = 0) {
+  const std::int64_t value = file.read_integer_attribute(object, name);
+  if (value < least || value > most)
+    fail(file, fmt::format("{}@{}", object, name), fmt::format("is {}, not from {} to {}", value, least, most));
+  return value;
+}
+
+/// Number of groups 0000, 0001, … in a group.
+std::int64_t read_count(const Hdf5File& file, const std::string& group) {
+  return read_whole(file, group, "count", static_cast<std::int64_t>(file.children(group).size()));
+}
+
+/// HDF5 takes no attribute of 64 KiB or more; a longer scene is a data set of its characters.
+constexpr std::size_t longest_attribute = 60'000;
+
+void write_scene(Hdf5File& file, const std::string& text) {
+  if (text.size() <= longest_attribute) return file.write_attribute("/", "scene", text);
+  file.write("scene", std::vector<std::uint8_t>(text.begin(), text.end()));
+}
+
+std::string read_scene(const Hdf5File& file) {
+  if (file.has_attribute("/", "scene") || !file.exists("scene")) return file.read_string_attribute("/", "scene");
+  std::string text;
+  for (const std::uint32_t character : file.read_unsigned("scene")) {
+    if (character > 0xff) fail(file, "scene", "is no text");
+    text += static_cast<char>(static_cast<unsigned char>(character));
+  }
+  return text;
+}
+
+/// n samples of m cells; the velocities themselves until they are reduced.
+void check_fluctuation(const Hdf5File& file, const Liquid& liquid) {
+  const std::string group = "liquid_fluctuation";
+  const std::size_t times = liquid.time.size(), cells = liquid.x.size();
+  const bool reduced = cells > 0;
+  const std::size_t samples = liquid.samples_x.size();
+  if (reduced ? samples != 0 : times == 0 ? samples != 0 : samples % times != 0)
+    fail(file, group + "/sampled_velocity_x", fmt::format("has {} values for {} times", samples, times));
+  for (const auto& column : fluctuation_columns) {
+    const std::string name = column.name;
+    const std::size_t length = (liquid.*column.values).size();
+    const bool of_times = name.starts_with("series"), of_samples = name.starts_with("sampled");
+    if (name != "time")
+      check_length(file, group + "/" + name, length, of_samples ? samples : of_times ? (reduced ? times : 0) : cells);
+  }
+  check_times(file, group + "/time", liquid.time);
+}
+
+void check_plane(const Hdf5File& file, const PlaneField& plane) {
+  for (const auto& [name, field] : {std::pair{"voidage", &plane.voidage}, std::pair{"velocity_x", &plane.velocity_x},
+                                    std::pair{"velocity_z", &plane.velocity_z}})
+    check_length(file, fmt::format("plane/{}", name), field->size(), plane.x.size() * plane.z.size());
 }
 
 std::string drop_group(std::int64_t number) { return fmt::format("drops/{:04}", number); }
@@ -148,9 +245,9 @@ void for_each_column(DropSeries& series, const std::function<void(std::vector<do
 }
 
 void save_result(const RunResult& result, const std::filesystem::path& file) {
-  io::write_atomically(file, [&](Hdf5File& target) {
+  const auto fill = [&](Hdf5File& target) {
     target.write_attribute("/", "name", result.name);
-    target.write_attribute("/", "scene", result.scene_text);
+    write_scene(target, result.scene_text);
     target.write_attribute("/", "numerics_version", std::int64_t{result.numerics});
     target.write_attribute("/", "suite_version", result.suite_version);
     target.write_attribute("/", "machine", result.machine);
@@ -186,50 +283,77 @@ void save_result(const RunResult& result, const std::filesystem::path& file) {
       target.write(group + "/time", {snapshot.time}, "s");
       write_columns(target, group, snapshot_columns, snapshot);
     }
-  });
+  };
+  io::write_atomically(file, fill, io::Checksum::whole_file);
 }
 
-RunResult load_result(const std::filesystem::path& file) {
-  const Hdf5File source = Hdf5File::open(file);
+namespace {
+
+RunResult read_result(const Hdf5File& source) {
   RunResult result;
   result.name = source.read_string_attribute("/", "name");
-  result.scene_text = source.read_string_attribute("/", "scene");
-  result.numerics = static_cast<int>(source.read_integer_attribute("/", "numerics_version"));
+  if (!is_plain_name(result.name)) fail(source, "/@name", "is no name of a run");
+  result.scene_text = read_scene(source);
+  result.numerics = static_cast<int>(read_whole(source, "/", "numerics_version", 1'000'000));
   result.suite_version = source.read_string_attribute("/", "suite_version");
   result.machine = source.read_string_attribute("/", "machine");
   result.date = source.read_string_attribute("/", "date");
-  result.threads = static_cast<int>(source.read_integer_attribute("/", "threads"));
-  result.wall_seconds = source.read_double_attribute("/", "wall_seconds");
-  result.cpu_seconds = source.read_double_attribute("/", "cpu_seconds");
-  result.simulated_seconds = source.read_double_attribute("/", "simulated_seconds");
-  result.particle_steps = source.read_integer_attribute("/", "particle_steps");
-  result.particles_removed = source.read_integer_attribute("/", "particles_removed");
-  result.steps_per_contact = source.read_double_attribute("/", "steps_per_contact");
+  constexpr std::int64_t any = std::numeric_limits<std::int64_t>::max();
+  result.threads = static_cast<int>(read_whole(source, "/", "threads", 1'000'000));
+  result.wall_seconds = read_duration(source, "wall_seconds");
+  result.cpu_seconds = read_duration(source, "cpu_seconds");
+  result.simulated_seconds = read_duration(source, "simulated_seconds");
+  result.particle_steps = read_whole(source, "/", "particle_steps", any);
+  result.particles_removed = read_whole(source, "/", "particles_removed", any);
+  result.steps_per_contact = read_duration(source, "steps_per_contact");
   result.packed_voidage = read_number(source, "packed_bed/voidage");
   result.packed_height = read_number(source, "packed_bed/height");
-  read_columns(source, "bed", bed_columns, result.bed);
-  const std::int64_t drops = source.read_integer_attribute("drops", "count");
+  read_series(source, "bed", bed_columns, result.bed);
+  check_times(source, "bed/time", result.bed.time);
+  const std::int64_t drops = read_count(source, "drops");
   for (std::int64_t i = 0; i < drops; ++i) {
     DropSeries& drop = result.drops.emplace_back();
     const std::string group = drop_group(i);
     drop.species = source.read_string_attribute(group, "species");
     drop.release_time = read_number(source, group + "/release_time");
     drop.bottom_time = read_number(source, group + "/bottom_time");
-    read_columns(source, group, drop_columns, drop);
+    read_series(source, group, drop_columns, drop);
+    check_times(source, group + "/time", drop.time);
   }
   result.plane.time = read_number(source, "plane/time");
   read_columns(source, "plane", plane_columns, result.plane);
+  check_plane(source, result.plane);
   if (!source.exists("liquid_fluctuation")) return result;  // written before these were recorded
-  read_columns(source, "liquid_fluctuation", fluctuation_columns, result.fluctuation);
-  const std::int64_t snapshots = source.read_integer_attribute("snapshots", "count");
+  // Earlier versions called the velocities samples_x; in a result they are reduced and none is left.
+  const auto earlier_names = [](std::string name) {
+    return name.starts_with("sampled_velocity") ? "samples" + name.substr(name.rfind('_')) : name;
+  };
+  const bool earlier = source.exists("liquid_fluctuation/samples_x");
+  for (const auto& column : fluctuation_columns) {
+    const std::string name = earlier ? earlier_names(column.name) : column.name;
+    result.fluctuation.*column.values = read_column(source, "liquid_fluctuation/" + name);
+  }
+  check_fluctuation(source, result.fluctuation);
+  const std::int64_t snapshots = read_count(source, "snapshots");
   for (std::int64_t i = 0; i < snapshots; ++i) {
     Snapshot& snapshot = result.snapshots.emplace_back();
     const std::string group = fmt::format("snapshots/{:04}", i);
     snapshot.moment = source.read_string_attribute(group, "moment");
-    snapshot.foreign = source.read_integer_attribute(group, "foreign");
     snapshot.time = read_number(source, group + "/time");
-    read_columns(source, group, snapshot_columns, snapshot);
+    read_series(source, group, snapshot_columns, snapshot);
+    snapshot.foreign = read_whole(source, group, "foreign", static_cast<std::int64_t>(snapshot.x.size()) - 1, -1);
   }
+  return result;
+}
+
+}  // namespace
+
+RunResult load_result(const std::filesystem::path& file) {
+  RunResult result;
+  const bool checked = io::starts_with_checksum(file);
+  const auto read = [&] { result = read_result(Hdf5File::open(file)); };
+  // Results that were written before there were checksums stay readable.
+  checked ? read() : io::read_with_care(file, read);
   return result;
 }
 

@@ -117,13 +117,15 @@ struct RunResult {
 void for_each_column(BedSeries& series, const std::function<void(std::vector<double>&)>& visit);
 void for_each_column(DropSeries& series, const std::function<void(std::vector<double>&)>& visit);
 
-/// Writes a result to an HDF5 file, whose groups solver/io/README.md lists. A temporary file takes the place of `file`
-/// when it is complete. Series are stored in single precision, times in double. Throws std::runtime_error that names
-/// the file if it cannot be written.
+/// Writes a result to an HDF5 file with a checksum, whose groups solver/io/README.md lists. A temporary file takes the
+/// place of `file` when it is complete. Series are stored in single precision, times in double. Throws
+/// std::runtime_error that names the file if it cannot be written.
 void save_result(const RunResult& result, const std::filesystem::path& file);
 
-/// Reads what save_result wrote. Throws std::runtime_error that names the file and the item that is missing or damaged.
-/// A result written before fluctuations and snapshots were recorded has none of them.
+/// Reads what save_result wrote; the file may come from anywhere. Its checksum is compared, if it has one; the columns
+/// of a group have one length, numbers are finite, times do not go back, counts and indices are within bounds. Throws
+/// std::runtime_error that names the file and the item that is missing or damaged. A result written before fluctuations
+/// and snapshots were recorded has none of them.
 RunResult load_result(const std::filesystem::path& file);
 
 }  // namespace slfb

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
 #include <stdexcept>
 
 namespace slfb::io {
@@ -27,6 +29,11 @@ void StateGroup::check_length(const std::string& name, std::size_t length, std::
   if (expected && length != *expected) fail(name, fmt::format("has {} values instead of {}", length, *expected));
 }
 
+void StateGroup::check_finite(const std::string& name, const std::vector<double>& values) const {
+  if (!std::ranges::all_of(values, [](double value) { return std::isfinite(value); }))
+    fail(name, "holds a value that is no finite number");
+}
+
 void StateGroup::check_names() const {
   const std::string group = path_.empty() ? "/" : path_;
   if (!reading() || !source_->exists(group)) return;
@@ -40,6 +47,7 @@ void StateGroup::values(const std::string& name, std::vector<double>& values, co
   if (!reading()) return target_->write(path, values, unit);
   values = source_->read_doubles(path);
   check_length(name, values.size(), length);
+  check_finite(name, values);
 }
 
 void StateGroup::values(const std::string& name, std::vector<std::int64_t>& values, std::optional<std::size_t> length) {
@@ -61,7 +69,7 @@ NamedFields StateGroup::read_fields() {
     if (source_->is_group(path_of(name)))
       add_part(fields, name, StateGroup(nullptr, source_, path_of(name)).read_fields());
     else
-      fields[name] = source_->read_doubles(path_of(name));
+      check_finite(name, fields[name] = source_->read_doubles(path_of(name)));
   }
   return fields;
 }
@@ -72,6 +80,12 @@ void StateGroup::value(const std::string& name, double& value, const std::string
   value = one.front();
 }
 
+void StateGroup::value(const std::string& name, std::int64_t& value, std::int64_t least, std::int64_t most) {
+  this->value(name, value);
+  if (reading() && (value < least || value > most))
+    fail(name, fmt::format("is {}, not from {} to {}", value, least, most));
+}
+
 void StateGroup::value(const std::string& name, std::int64_t& value) {
   std::vector<std::int64_t> one{value};
   values(name, one, 1);
@@ -80,7 +94,7 @@ void StateGroup::value(const std::string& name, std::int64_t& value) {
 
 void StateGroup::value(const std::string& name, bool& value) {
   std::int64_t number = value ? 1 : 0;
-  this->value(name, number);
+  this->value(name, number, 0, 1);
   value = number != 0;
 }
 

@@ -25,7 +25,8 @@ namespace slfb::io {
 ///     });
 ///
 /// When a state is read, the file must hold exactly the names of the list. A std::runtime_error names file and item if
-/// a name is missing, if the file has a name that the list does not have, or if an array has another length.
+/// a name is missing, if the file has a name that the list does not have, if an array has another length, or if a real
+/// number is not finite.
 class StateGroup {
  public:
   /// True while the list reads: values are then assigned, else they are only read.
@@ -34,6 +35,8 @@ class StateGroup {
   /// One number, with its unit in UDUNITS spelling.
   void value(const std::string& name, double& value, const std::string& unit = "");
   void value(const std::string& name, std::int64_t& value);
+  /// The same, which must lie between two bounds when it is read.
+  void value(const std::string& name, std::int64_t& value, std::int64_t least, std::int64_t most);
   void value(const std::string& name, bool& value);
 
   /// An array. `length`: what it must have when it is read; without it any length is accepted.
@@ -64,6 +67,7 @@ class StateGroup {
   /// Notes a name of the list and returns its path; when reading, it must be there.
   [[nodiscard]] std::string item(const std::string& name);
   void check_length(const std::string& name, std::size_t length, std::optional<std::size_t> expected) const;
+  void check_finite(const std::string& name, const std::vector<double>& values) const;
   void check_names() const;
 
   Hdf5File* target_;

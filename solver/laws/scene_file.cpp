@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <filesystem>
 #include <limits>
 #include <stdexcept>
 #include <string_view>
@@ -56,6 +57,10 @@ void check_contact(const Scene& scene, Problems& problems) {
   };
   std::string_view stiffness_key;
   try {
+    if (is_user_law(contact.law) && NoForeignCode::holds()) {
+      user_law_text(contact.law);  // that it can be read is all that is asked
+      return;
+    }
     stiffness_key = find_contact_law(contact.law).info.stiffness_key;
   } catch (const UserLawError& error) {
     return wrong_law(error.what());
@@ -64,7 +69,14 @@ void check_contact(const Scene& scene, Problems& problems) {
     for (const auto& known : dem::contact_laws()) names += in_quotes(known.info.name) + ", ";
     return wrong_law(fmt::format("unknown contact law; allowed is {}or a file that ends with .cpp", names));
   }
-  const double bound = contact_time_step_bound(scene);
+  double bound = 0.0;
+  try {
+    bound = contact_time_step_bound(scene);
+  } catch (const std::exception& error) {
+    return wrong_law(fmt::format("fails when it is asked for its stiffness: {}", error.what()));
+  } catch (...) {
+    return wrong_law("throws something that is no std::exception when it is asked for its stiffness");
+  }
   if (is_user_law(contact.law) && !scene.species.empty() && !(bound > 0.0 && std::isfinite(bound)))
     return wrong_law(
         fmt::format("gives no stiffness above zero at an overlap of a hundredth of the effective radius; does it need "
@@ -82,7 +94,10 @@ void check_contact(const Scene& scene, Problems& problems) {
 void check_drag_law(const Scene& scene, Problems& problems) {
   const std::string& law = scene.coupling.drag_law;
   try {
-    find_drag_law(law);
+    if (is_user_law(law) && NoForeignCode::holds())
+      user_law_text(law);
+    else
+      find_drag_law(law);
   } catch (const UserLawError& error) {
     problems.add("coupling.drag_law", in_quotes(law), error.what());
   } catch (const std::invalid_argument&) {
@@ -92,10 +107,17 @@ void check_drag_law(const Scene& scene, Problems& problems) {
   }
 }
 
+std::string place(const std::string& law, const std::string& scene_file) {
+  const std::filesystem::path file(law);
+  if (!is_user_law(law) || file.is_absolute()) return law;
+  const auto beside = std::filesystem::path(scene_file).parent_path() / file;
+  return std::filesystem::exists(beside) ? beside.string() : law;
+}
+
 /// A law from outside the suite is what its file says, not where the file lies.
 std::string identity(const std::string& law) { return is_user_law(law) ? user_law_hash(law) : law; }
 
-constexpr description::SceneLaws laws_of_the_suite{contact_key, check_contact, check_drag_law, identity};
+constexpr description::SceneLaws laws_of_the_suite{contact_key, check_contact, check_drag_law, place, identity};
 
 }  // namespace
 

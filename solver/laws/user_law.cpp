@@ -7,16 +7,17 @@
 #include <xxhash.h>
 
 #include <algorithm>
+#include <cstdint>
 #include <cstdlib>
 #include <map>
 #include <mutex>
-#include <regex>
 #include <set>
 #include <sstream>
 #include <vector>
 
 #include "correlations/drag/drag_laws.hpp"
 #include "solver/dem/contact_laws.hpp"
+#include "solver/support/child_process.hpp"
 #include "solver/support/files.hpp"
 #include "solver/support/run_program.hpp"
 
@@ -30,21 +31,47 @@ struct UserLawKind {
   std::string symbol, macro, word;
 };
 
-/// The text of a file followed by that of each file beside it that it includes.
+thread_local int foreign_code_forbidden = 0;
+
+constexpr std::uintmax_t largest_source = 16U << 20U;  // [bytes]
+
+/// X of a line `#include "X"`; empty for another line.
+std::string_view included(std::string_view line) {
+  const auto skip_blanks = [&] { line.remove_prefix(std::min(line.find_first_not_of(" \t"), line.size())); };
+  const auto take = [&](std::string_view word) {
+    skip_blanks();
+    if (!line.starts_with(word)) return false;
+    line.remove_prefix(word.size());
+    return true;
+  };
+  if (!take("#") || !take("include") || !take("\"")) return {};
+  return line.substr(0, line.find('"') == line.npos ? 0 : line.find('"'));
+}
+
+/// Adds the text of a file with the files beside it that it includes in the place of those lines, each once.
 void append_source(const fs::path& file, std::set<fs::path>& seen, std::string& text) {
-  if (!seen.insert(fs::weakly_canonical(file)).second) return;
+  seen.insert(fs::weakly_canonical(file));
   std::string own;
   try {
+    if (fs::is_regular_file(file) && fs::file_size(file) > largest_source)
+      throw std::runtime_error("larger than 16 MiB");
     own = read_file(file);
-  } catch (const std::runtime_error&) {
+  } catch (const std::exception& error) {
     throw UserLawError(
-        fmt::format("{}: cannot be read; needed is a C++ file as `slfb compare --template` prints one", file.string()));
+        fmt::format("{}: cannot be read ({}); needed is a C++ file as `slfb compare --template` prints one",
+                    file.string(), error.what()));
   }
-  text += own;
-  static const std::regex include(R"(#\s*include\s*"([^"]+)\")");
-  for (std::sregex_iterator found(own.begin(), own.end(), include), end; found != end; ++found)
-    if (const fs::path beside = file.parent_path() / (*found)[1].str(); fs::exists(beside))
+  for (std::string_view rest = own; !rest.empty();) {
+    const std::string_view line = rest.substr(0, rest.find('\n') == rest.npos ? rest.size() : rest.find('\n') + 1);
+    rest.remove_prefix(line.size());
+    const std::string name(included(line));
+    const fs::path beside = file.parent_path() / name;
+    if (name.empty() || !fs::is_regular_file(beside)) {
+      text += line;
+    } else if (!seen.contains(fs::weakly_canonical(beside))) {
       append_source(beside, seen, text);
+    }
+  }
 }
 
 std::string digits(const std::string& text) { return fmt::format("{:016x}", XXH3_64bits(text.data(), text.size())); }
@@ -77,14 +104,33 @@ fs::path compile(const fs::path& file, const std::string& content, const UserLaw
   if (fs::exists(object) && fs::last_write_time(object) > fs::last_write_time("/proc/self/exe")) return object;
   fs::create_directories(folder);
   // Another process may want the same: each writes its own file, and renaming is one step.
-  const fs::path unfinished = object.string() + fmt::format(".{}", getpid());
+  remove_unfinished(folder);
+  const fs::path unfinished = object.string() + fmt::format(".{}-0.part", getpid());
   for (const std::string& word : {fs::absolute(file).string(), std::string("-o"), unfinished.string()})
     command.push_back(word);
+  // A source that includes /dev/zero keeps a compiler busy, and eats memory, until somebody ends it.
+  const std::string patience = "300", memory = "--as=8589934592";
+  command.insert(command.begin(), {"prlimit", memory, "timeout", patience});
   const auto [message, status] = run_program(command, folder, "set CXX to a C++20 compiler, or apt-get install g++");
+  if (status == 124) throw UserLawError(fmt::format("{} is not compiled within {} s", file.string(), patience));
   if (status != 0)
     throw UserLawError(fmt::format("{} does not compile:\n{}\nHint: {}", file.string(), message, hint(message, kind)));
+  if (!fs::exists(unfinished))
+    throw UserLawError(
+        fmt::format("{}: {} ended without an error but made nothing of it; does CXX name a C++ compiler?",
+                    file.string(), command[4]));
   fs::rename(unfinished, object);
   return object;
+}
+
+/// Loads a law and asks it at some states of a bed and of a sphere alone.
+void try_law(const fs::path& object, const UserLawKind& kind) {
+  void* const library = dlopen(object.c_str(), RTLD_NOW | RTLD_LOCAL);
+  const void* const law = library == nullptr ? nullptr : dlsym(library, kind.symbol.c_str());
+  if (law == nullptr || kind.word != "drag") return;
+  const auto& drag = *static_cast<const drag::DragLawKernels*>(law);
+  for (const double voidage : {0.4, 1.0})
+    for (const double reynolds : {0.0, 1.0, 300.0}) drag({voidage, reynolds});
 }
 
 /// Compiles the file (once per content), loads it, and returns the address of the kind's symbol.
@@ -92,10 +138,16 @@ const void* load_user_law(const fs::path& file, const UserLawKind& kind) {
   static std::mutex mutex;
   static std::map<std::string, const void*> loaded;
   const std::lock_guard lock(mutex);
+  if (NoForeignCode::holds())
+    throw UserLawError(fmt::format("{}: a law from a file is neither compiled nor run here", file.string()));
   const std::string content = user_law_hash(file);
   const void*& address = loaded[content + kind.symbol];
   if (address != nullptr) return address;
   const fs::path object = compile(file, content, kind);
+  // Loading runs code of the file already. A crash there is one of another process.
+  constexpr unsigned seconds = 10;
+  if (const auto trouble = trouble_in_child([&] { try_law(object, kind); }, seconds))
+    throw UserLawError(fmt::format("{}: calling the law {}", file.string(), *trouble));
   void* library = dlopen(object.c_str(), RTLD_NOW | RTLD_LOCAL);  // stays loaded: results point into it
   if (library == nullptr) throw UserLawError(fmt::format("{} does not load: {}", file.string(), dlerror()));
   address = dlsym(library, kind.symbol.c_str());
@@ -128,12 +180,18 @@ Kernels law_of_file(const std::string& file, const UserLawKind& kind, const std:
 
 bool is_user_law(std::string_view name) { return name.ends_with(".cpp"); }
 
-std::string user_law_hash(const fs::path& file) {
+std::string user_law_text(const fs::path& file) {
   std::set<fs::path> seen;
   std::string text;
   append_source(file, seen, text);
-  return digits(text);
+  return text;
 }
+
+std::string user_law_hash(const fs::path& file) { return digits(user_law_text(file)); }
+
+NoForeignCode::NoForeignCode() { ++foreign_code_forbidden; }
+NoForeignCode::~NoForeignCode() { --foreign_code_forbidden; }
+bool NoForeignCode::holds() { return foreign_code_forbidden > 0; }
 
 drag::DragLawKernels find_drag_law(const std::string& name_or_file) {
   std::vector<std::string_view> names;

@@ -17,10 +17,26 @@ struct UserLawError : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// Whether the name of a law is that of a file ("mine.cpp", relative to the working directory).
+/// Whether the name of a law is that of a file ("mine.cpp", relative to the working directory; in a scene file to that
+/// of the scene).
 bool is_user_law(std::string_view name);
 
-/// Sixteen hexadecimal digits of the text of the file and of what it includes from its own folder, so that runs with
+/// The text of the file with what it includes from its own folder in the place of those lines: all that a copy needs.
+/// \throws UserLawError if it cannot be read
+std::string user_law_text(const std::filesystem::path& file);
+
+/// While one lives, this thread compiles, loads and calls no law from a file: for scenes that came with a result, and
+/// for looking at a scene without running it. find_drag_law and find_contact_law then throw UserLawError for a file.
+class NoForeignCode {
+ public:
+  NoForeignCode();
+  ~NoForeignCode();
+  NoForeignCode(const NoForeignCode&) = delete;
+  NoForeignCode& operator=(const NoForeignCode&) = delete;
+  [[nodiscard]] static bool holds();
+};
+
+/// Sixteen hexadecimal digits of that text, so that runs with
 /// different versions of a law do not share a name. \throws UserLawError if it cannot be read
 std::string user_law_hash(const std::filesystem::path& file);
 

@@ -7,7 +7,9 @@
 #include <cmath>
 #include <vector>
 
+#include "correlations/fluidisation/bed_expansion.hpp"
 #include "solver/dem/granular_temperature.hpp"
+#include "solver/laws/user_law.hpp"
 
 namespace slfb::simulation {
 
@@ -43,6 +45,30 @@ void BedRecorder::measure_packed_bed(const Model& model, bool in_liquid) {
         "rest has less than {:g}): what is called the packed bed has not come to rest; a longer stage of kind = "
         "\"settle\" may help",
         scene_.title, speed, resting_speed);
+}
+
+void BedRecorder::look_for_standing_bed() const {
+  const auto bed = std::ranges::max_element(
+      scene_.species, {}, [](const Species& species) { return static_cast<double>(species.count) * species.volume(); });
+  const LiquidProperties liquid{scene_.liquid.density, scene_.liquid.viscosity};
+  if (bed == scene_.species.end() || bed->count == 0 || bed->density <= liquid.density || result_.bed.time.empty())
+    return;
+  const std::vector<double>& energies = result_.bed.fluctuating_energy;
+  const auto half = energies.begin() + static_cast<std::ptrdiff_t>(energies.size() / 2);
+  const double speed = std::sqrt(2.0 / 3.0 * *std::max_element(half, energies.end()));
+  const double velocity = scene_.liquid.superficial_velocity;
+  // A fluidised bed has some tenths of the superficial velocity, and a packed one 0.35 to 0.45 of voidage.
+  constexpr double still = 1e-3, surely_above = 1.1;
+  const double voidage = result_.packed_voidage > 0.3 && result_.packed_voidage < 0.5 ? result_.packed_voidage : 0.4;
+  if (speed > still * velocity) return;
+  const double minimum = fluidisation::minimum_fluidisation_velocity(find_drag_law(scene_.coupling.drag_law),
+                                                                     {bed->diameter, bed->density}, liquid, voidage);
+  if (velocity < surely_above * minimum) return;
+  spdlog::warn(
+      "{}: the bed stands still (velocities of {:.2g} m/s) although liquid.superficial_velocity = {:g} m/s is {:.2f} "
+      "times its minimum fluidisation velocity of {:.3g} m/s ({} at a voidage of {:.2f}): friction at near walls or a "
+      "bridge may hold it, or it rests as a plug; a wider column or tier = \"three-dimensional\" would tell",
+      scene_.title, speed, velocity, velocity / minimum, minimum, scene_.coupling.drag_law, voidage);
 }
 
 bool BedRecorder::sample(const Model& model, double time, double superficial_velocity) {

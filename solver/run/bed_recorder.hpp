@@ -19,6 +19,8 @@ class BedRecorder {
   /// sphere of the bed is left; \param superficial_velocity of the liquid that enters [m/s]. Warns once if the contact
   /// network is too stiff for the spheres' time step.
   bool sample(const Model& model, double time, double superficial_velocity);
+  /// At the end of the last fluidise stage: warns of a bed that stands still although the liquid flows fast enough.
+  void look_for_standing_bed() const;
 
  private:
   void sample_contact_forces(const Model& model, double time);

@@ -10,12 +10,14 @@ namespace slfb::simulation {
 namespace {
 
 /// Of the names in a checkpoint and their meaning; raised when they change.
-constexpr std::int64_t state_version = 1;
+constexpr std::int64_t state_version = 2;
+
+bool is_records(const std::string& name) { return name.starts_with("records_") && name.find('/') == std::string::npos; }
 
 /// Removes all records but those in the file `kept`.
 void remove_records(const std::filesystem::path& directory, const std::filesystem::path& kept) {
   for (const auto& entry : std::filesystem::directory_iterator(directory))
-    if (entry.path().filename().string().starts_with("records_") && entry.path().filename() != kept)
+    if (is_records(entry.path().filename().string()) && entry.path().filename() != kept)
       std::filesystem::remove(entry.path());
 }
 
@@ -23,15 +25,19 @@ void remove_records(const std::filesystem::path& directory, const std::filesyste
 
 void CheckpointFiles::write(const std::filesystem::path& file, const std::string& records,
                             const io::StateGroup::Exchange& state) const {
-  io::write_atomically(file, [&](io::Hdf5File& target) {
+  const auto fill = [&](io::Hdf5File& target) {
     target.write_attribute("/", "scene_hash", scene_hash_);
     target.write_attribute("/", "state_version", state_version);
     target.write_attribute("/", "records", records);
     io::write_state(target, state);
-  });
+  };
+  io::write_atomically(file, fill, io::Checksum::whole_file);
 }
 
 void CheckpointFiles::save(const RunResult& result, std::int64_t number, const io::StateGroup::Exchange& state) const {
+  if (!std::filesystem::is_directory(directory_))
+    throw std::runtime_error(
+        fmt::format("{}: the folder of the run has vanished; nothing can be saved in it", directory_.string()));
   const std::string records = fmt::format("records_{}.h5", number);
   // The records go first, and the old ones last: the checkpoint always finds its own.
   save_result(result, directory_ / records);
@@ -42,13 +48,17 @@ void CheckpointFiles::save(const RunResult& result, std::int64_t number, const i
 bool CheckpointFiles::load(RunResult& result, const io::StateGroup::Exchange& state) const {
   if (!std::filesystem::exists(checkpoint())) return false;
   try {
-    const auto source = io::Hdf5File::open(checkpoint());
+    const auto source = io::Hdf5File::open(checkpoint(), io::Checksum::whole_file);
     if (source.read_string_attribute("/", "scene_hash") != scene_hash_) return false;
     if (!source.has_attribute("/", "state_version") ||
         source.read_integer_attribute("/", "state_version") != state_version)
       throw std::runtime_error(fmt::format("{}: made by an earlier or later version of slfb", checkpoint().string()));
+    const std::string records = source.read_string_attribute("/", "records");
+    if (!is_records(records) || !io::starts_with_checksum(directory_ / records))
+      throw std::runtime_error(
+          fmt::format("{}: its records \"{}\" are missing or damaged", checkpoint().string(), records));
+    result = load_result(directory_ / records);
     io::read_state(source, state);
-    result = load_result(directory_ / source.read_string_attribute("/", "records"));
   } catch (const std::exception& error) {
     throw std::runtime_error(fmt::format("the run cannot go on from its checkpoint: {}; remove {} to start anew",
                                          error.what(), directory_.string()));

@@ -1,5 +1,7 @@
 #include "solver/run/drop_protocol.hpp"
 
+#include <limits>
+
 namespace slfb::simulation {
 
 void DropProtocol::begin() {
@@ -30,9 +32,10 @@ void DropProtocol::taken_out() {
 }
 
 void DropProtocol::exchange(io::StateGroup& group) {
-  group.value("repetition", repetition_);
+  constexpr std::int64_t any = std::numeric_limits<std::int64_t>::max();
+  group.value("repetition", repetition_, 0, any);
   group.value("falling", falling_);
-  group.value("phase_steps", phase_steps_);
+  group.value("phase_steps", phase_steps_, 0, any);
 }
 
 }  // namespace slfb::simulation

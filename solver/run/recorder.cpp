@@ -1,10 +1,28 @@
 #include "solver/run/recorder.hpp"
 
 #include <fmt/core.h>
+#include <spdlog/spdlog.h>
+
+#include <cmath>
+#include <string>
 
 #include "solver/io/vtkhdf.hpp"
+#include "solver/laws/user_law.hpp"
+#include "solver/support/files.hpp"
 
 namespace slfb::simulation {
+namespace {
+
+/// Decimals of the seconds, three or more, that tell snapshots at this interval [s] apart.
+int decimals(double interval) {
+  constexpr int fewest = 3, most = 12;
+  int digits = fewest;
+  for (double scaled = interval * 1e3; digits < most && std::abs(scaled - std::round(scaled)) > 1e-6; scaled *= 10.0)
+    ++digits;
+  return digits;
+}
+
+}  // namespace
 
 Recorder::Recorder(const Scene& scene, Model& model, const Schedule& schedule, const std::filesystem::path& directory,
                    RunResult& result)
@@ -16,6 +34,7 @@ Recorder::Recorder(const Scene& scene, Model& model, const Schedule& schedule, c
       drop_(result),
       liquid_(scene, model, result),
       balance_(scene),
+      law_range_(find_drag_law(scene.coupling.drag_law).info),
       result_(result) {}
 
 void Recorder::end_step() {
@@ -28,6 +47,7 @@ void Recorder::record() {
   const Recording& recording = scene_.recording;
   if (schedule_.due(recording.bed_interval)) {
     if (bed_.sample(model_, time, scene_.superficial_velocity(schedule_.stage()))) balance_.take(result_.bed);
+    law_range_.sample(model_);
     if (schedule_.in_last_fluidisation() && schedule_.in_second_half()) liquid_.sample_fluctuation(model_, time);
   }
   if (recording.snapshot_interval > 0.0 && schedule_.due(recording.snapshot_interval)) write_snapshot();
@@ -46,24 +66,35 @@ void Recorder::record_drop(const DropProtocol& drops, bool at_bottom, bool over)
 
 void Recorder::stage_ended() {
   if (schedule_.stage().kind == StageKind::settle) bed_.measure_packed_bed(model_, !schedule_.stage().dry);
-  if (schedule_.in_last_fluidisation()) liquid_.finish(model_, schedule_.fluidised_seconds());
+  if (schedule_.in_last_fluidisation()) {
+    liquid_.finish(model_, schedule_.fluidised_seconds());
+    bed_.look_for_standing_bed();
+  }
+}
+
+void Recorder::run_ended() const {
+  if (const std::string sentence = law_range_.sentence(); !sentence.empty())
+    spdlog::warn("{}: {}", scene_.title, sentence);
 }
 
 void Recorder::write_snapshot() const {
   const auto folder = directory_ / "snapshots";
-  std::filesystem::create_directories(folder);
+  make_output_folder(folder);
   const double time = schedule_.fluidised_seconds();
-  io::write_particles_vtkhdf(folder / fmt::format("particles_{:08.3f}s.vtkhdf", time), model_.particles(), time);
+  const int digits = decimals(static_cast<double>(schedule_.interval_steps(scene_.recording.snapshot_interval)) *
+                              schedule_.time_step());
+  const std::string name = fmt::format("{:0{}.{}f}s.vtkhdf", time, digits + 5, digits);
+  io::write_particles_vtkhdf(folder / ("particles_" + name), model_.particles(), time);
   const fluid::Liquid& liquid = model_.liquid();
   if (liquid.two_way())
-    io::write_liquid_vtkhdf(folder / fmt::format("liquid_{:08.3f}s.vtkhdf", time), liquid.grid(),
-                            model_.coupling().void_fraction(), model_.coupling().cell_velocity(), liquid.pressure(),
-                            time);
+    io::write_liquid_vtkhdf(folder / ("liquid_" + name), liquid.grid(), model_.coupling().void_fraction(),
+                            model_.coupling().cell_velocity(), liquid.pressure(), time);
 }
 
 void Recorder::exchange(io::StateGroup& state) {
   state.part("drop_record", [&](io::StateGroup& group) { drop_.exchange(group); });
   state.part("force_balance", [&](io::StateGroup& group) { balance_.exchange(group); });
+  state.part("law_range", [&](io::StateGroup& group) { law_range_.exchange(group); });
 }
 
 }  // namespace slfb::simulation

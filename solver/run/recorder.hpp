@@ -8,6 +8,7 @@
 #include "solver/run/bed_recorder.hpp"
 #include "solver/run/drop_protocol.hpp"
 #include "solver/run/drop_recorder.hpp"
+#include "solver/run/law_range.hpp"
 #include "solver/run/liquid_recorder.hpp"
 #include "solver/run/mean_force_balance.hpp"
 #include "solver/run/model.hpp"
@@ -38,6 +39,9 @@ class Recorder {
 
   void stage_ended();
 
+  /// What the user should know of the whole run.
+  void run_ended() const;
+
   void exchange(io::StateGroup& state);
 
  private:
@@ -51,6 +55,7 @@ class Recorder {
   DropRecorder drop_;
   LiquidRecorder liquid_;
   MeanForceBalance balance_;
+  LawRange law_range_;
   RunResult& result_;
 };
 

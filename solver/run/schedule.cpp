@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace slfb::simulation {
 
@@ -36,9 +37,10 @@ double Schedule::planned_seconds(std::optional<double> fall) const {
 }
 
 void Schedule::exchange(io::StateGroup& group) {
-  group.value("stage", stage_);
-  group.value("steps", steps_);
-  group.value("fluidised_steps", fluidised_steps_);
+  constexpr std::int64_t any = std::numeric_limits<std::int64_t>::max();
+  group.value("stage", stage_, 0, static_cast<std::int64_t>(stages_.size()));
+  group.value("steps", steps_, 0, any);
+  group.value("fluidised_steps", fluidised_steps_, 0, any);
 }
 
 }  // namespace slfb::simulation

@@ -81,6 +81,7 @@ RunOutcome Simulation::run() {
     spdlog::warn("{}: {}", scene_.title, reason);
   model_.fill();
   resume();
+  if (options_.started) options_.started();
   try {
     for (; !schedule_.finished(); schedule_.next_stage()) {
       if (!run_stage()) return {RunStatus::interrupted, result_};
@@ -89,6 +90,7 @@ RunOutcome Simulation::run() {
   } catch (const std::runtime_error& error) {
     fail(error);
   }
+  recorder_.run_ended();
   cost_.write_to(result_);
   return {RunStatus::finished, result_};
 }
@@ -218,16 +220,25 @@ void Simulation::save() {
 }
 
 void Simulation::fail(const std::exception& error) {
-  const auto file = checkpoints_.save_failure([&](io::StateGroup& state) { exchange(state); });
+  std::string saved;
+  try {
+    const auto file = checkpoints_.save_failure([&](io::StateGroup& state) { exchange(state); });
+    saved = "state saved in " + file.string();
+  } catch (const std::exception& next) {  // on a full disk this fails for the same cause, which must not hide the first
+    saved = fmt::format("its state could not be saved ({})", next.what());
+  }
+  // Only what spheres and liquid do in a step becomes better with a smaller one.
+  const bool of_motion = dynamic_cast<const dem::EngineError*>(&error) != nullptr ||
+                         dynamic_cast<const fluid::FluidError*>(&error) != nullptr;
   const double relaxation = coupling::packed_relaxation_time(scene_, find_drag_law(scene_.coupling.drag_law));
   const std::string hint =
-      model_.liquid().two_way() && scene_.fluid.time_step > relaxation
+      of_motion && model_.liquid().two_way() && scene_.fluid.time_step > relaxation
           ? fmt::format("; or a smaller fluid.time_step: drag stops a sphere of the packed bed within {:.2g} s",
                         relaxation)
           : "";
-  throw std::runtime_error(
-      fmt::format("{:.6g} s after the start of the run ({:.6g} s of fluidisation): {}{}; state saved in {}",
-                  result_.simulated_seconds, schedule_.fluidised_seconds(), error.what(), hint, file.string()));
+  throw std::runtime_error(fmt::format("{:.6g} s after the start of the run ({:.6g} s of fluidisation): {}{}; {}",
+                                       result_.simulated_seconds, schedule_.fluidised_seconds(), error.what(), hint,
+                                       saved));
 }
 
 }  // namespace

@@ -13,8 +13,9 @@ namespace slfb {
 struct RunOptions {
   int threads = 1;                  ///< of this run; the result does not depend on it
   std::filesystem::path directory;  ///< of checkpoint, failure.h5 and snapshots; created if missing
-  std::function<void(const Progress&)> progress;
+  std::function<void(const Progress&)> progress = {};
   double progress_interval = 0.2;           ///< wall-clock time between calls of `progress` [s]
+  std::function<void()> started = {};       ///< called when all is set up: from now on a stop saves the state
   const std::atomic<bool>* stop = nullptr;  ///< set from outside to end after the present liquid step
 };
 

@@ -139,6 +139,8 @@ struct Coupling {
   bool disturbance_correction = false;  ///< a sphere's own disturbance of voidage and velocity taken out
   /// Whether a sphere without neighbours reads its own volume and forces (coupling::LoneSpheres).
   OwnVolume own_volume = OwnVolume::spread_where_alone;
+  /// Of a sphere alone in a quiescent tube: a law of the kind wall_correction (correlations/fluidisation), or "none".
+  std::string wall_retardation = "none";
   double smoothing_length = 0.0;  ///< bandwidth b of the Gaussian exp(−|x|²/b²) that spreads the shares [m]; 0: none
 };
 

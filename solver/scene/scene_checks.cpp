@@ -6,8 +6,11 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <optional>
 #include <stdexcept>
 
+#include "correlations/fluidisation/fluidisation_laws.hpp"
+#include "correlations/law_list.hpp"
 #include "solver/scene/scene_description.hpp"
 
 namespace slfb::description {
@@ -207,8 +210,12 @@ class PhysicsCheck {
     }
     check_cell_size("fluid.cell_height", with_unit(fluid.cell_height, units::length), fluid.cell_height);
     if (fluid.tier == FluidTier::three_dimensional) {
-      const double extent = geometry.shape == Shape::cylinder ? geometry.diameter : geometry.width[0];
-      check_cell_size("fluid.cells_across", fmt::format("{}", fluid.cells_across), extent / fluid.cells_across);
+      const bool round = geometry.shape == Shape::cylinder;
+      const double width = round ? geometry.diameter : geometry.width[0], x = width / fluid.cells_across;
+      const double depth = round ? geometry.diameter : geometry.width[1];
+      const double y = depth / std::max(1.0, std::round(depth / x));
+      check_cell_size("fluid.cells_across", fmt::format("{}", fluid.cells_across), std::min(x, y));
+      check_cell_diagonal(x, y, geometry.height / std::max(1.0, std::round(geometry.height / fluid.cell_height)));
     }
     const double across = fluid.tier == FluidTier::three_dimensional ? fluid.cells_across : 1.0;
     const double deep = geometry.shape == Shape::box ? across * geometry.width[1] / geometry.width[0] : across;
@@ -218,8 +225,8 @@ class PhysicsCheck {
               "makes {:.3g} cells of the column; allowed are {:g}", cells, most_cells);
   }
 
-  /// The averaged equations hold on cells that hold some liquid. A cell below half the smallest sphere can lie inside
-  /// one; and the centroid scheme puts a whole sphere into one cell, which must then have room for the largest.
+  /// A cell below half the smallest sphere shows nothing but slices of spheres; and the centroid scheme puts a whole
+  /// sphere into one cell, which must then have room for the largest.
   void check_cell_size(const std::string& path, const std::string& value, double size) {
     if (scene_.species.empty()) return;
     const auto [small, large] = std::ranges::minmax(scene_.species, {}, &Species::diameter);
@@ -230,6 +237,24 @@ class PhysicsCheck {
             centroid ? "smaller than the largest sphere, which the centroid scheme puts into one cell as a whole"
                      : "smaller than half the smallest sphere, so that a cell could hold no liquid at all",
             rounded(least));
+  }
+
+  /// The averaged equations need some liquid in each cell. A cell lies wholly inside a sphere when its diagonal is
+  /// shorter than the diameter; particle meshing puts each piece of a sphere into one cell as a whole.
+  void check_cell_diagonal(double x, double y, double z) {
+    const auto& coupling = scene_.coupling;
+    if (scene_.species.empty() || coupling.void_fraction == VoidFractionScheme::centroid) return;
+    const double large = std::ranges::max(scene_.species, {}, &Species::diameter).diameter;
+    const bool meshing = coupling.void_fraction == VoidFractionScheme::particle_meshing;
+    const double piece = meshing ? std::cbrt(std::numbers::pi / 6.0 / coupling.meshing_pieces) * large : 0.0;
+    const double diagonal = std::sqrt(x * x + y * y + z * z), needed = large + std::sqrt(3.0) * piece;
+    if (diagonal >= needed * (1.0 - 1e-9) || std::min({x, y, z}) >= large * (1.0 - 1e-9)) return;
+    problem("fluid.cells_across", fmt::format("{}", scene_.fluid.cells_across),
+            "gives cells of {} x {} x {} m, which can lie wholly inside the largest sphere ({} m{}); allowed are cells "
+            "with a diagonal of {} m or more, such as cubes with sides of {} m",
+            rounded(x), rounded(y), rounded(z), rounded(large),
+            meshing ? fmt::format(", cut into {} pieces", coupling.meshing_pieces) : "", rounded(needed),
+            rounded(needed / std::sqrt(3.0)));
   }
 
   void check_coupling() {
@@ -244,11 +269,49 @@ class PhysicsCheck {
       problem("coupling.void_fraction_interval", with_unit(coupling.void_fraction_interval, units::time),
               "is {:.6g} liquid steps; allowed is 0 or a whole multiple of fluid.time_step = {} s", intervals,
               shortest(scene_.fluid.time_step));
+    check_wall_retardation();
     const double smoothing = scene_.coupling.smoothing_length;
     if (smoothing > column_width())
       problem("coupling.smoothing_length", with_unit(smoothing, units::length),
               "spreads a sphere over the whole section; allowed is at most the column's width, {} m",
               rounded(column_width()));
+  }
+
+  void check_wall_retardation() {
+    const std::string& law = scene_.coupling.wall_retardation;
+    if (law == "none") return;
+    const auto wrong = [&](const std::string& what) {
+      problem("coupling.wall_retardation", fmt::format("\"{}\"", law), "{}", what);
+    };
+    const auto of_bed = [](const Species& species) { return species.count > 0; };
+    if (scene_.geometry.shape != Shape::cylinder)
+      return wrong("the laws are for tubes; needed is shape = \"cylinder\"");
+    if (std::ranges::any_of(scene_.species, of_bed))
+      return wrong("the laws are for a sphere alone; allowed is \"none\" where there is a bed");
+    bool known = false;
+    for_each_law<fluidisation::WallCorrectionLaws>([&](const auto& one) {
+      if (one.info.name != law) return;
+      known = true;
+      for (const Species& species : scene_.species) {
+        const double ratio = species.diameter / scene_.geometry.diameter, velocity = one(ratio);
+        if (!(velocity > 0.0 && velocity <= 1.0))
+          wrong(fmt::format("gives {:.3g} of the velocity at d/D = {:.3g} ({}); allowed is a law for that ratio",
+                            velocity, ratio, species.name));
+      }
+    });
+    if (!known) wrong(fmt::format("unknown law; allowed is none, {}", law_names<fluidisation::WallCorrectionLaws>()));
+  }
+
+  /// A time that a run counts in liquid steps. Rounding to whole steps may change it by a thousandth; a default adapts.
+  void check_steps(const std::string& path, double time, std::optional<double> default_value = {}) {
+    const double step = scene_.fluid.time_step, steps = time / step, whole = std::round(steps);
+    if (time == default_value || (whole >= 1.0 && std::abs(steps - whole) <= 1e-3 * steps)) return;
+    const std::string allowed =
+        steps < 1.0 ? fmt::format("{} s or more", shortest(step))
+                    : fmt::format("{} s or {} s", rounded(std::floor(steps) * step), rounded(std::ceil(steps) * step));
+    problem(path, with_unit(time, units::time),
+            "is {:.6g} liquid steps; allowed is a whole multiple of fluid.time_step = {} s, such as {}", steps,
+            shortest(step), allowed);
   }
 
   void check_stages() {
@@ -275,6 +338,8 @@ class PhysicsCheck {
                   "against that; needed is a species of greater density, or a scene that ends after \"settle\"");
       }
       if (stage.kind == StageKind::drop) check_drop(i, fluidised);
+      check_steps(fmt::format("stage[{}].duration", i), stage.duration);
+      if (stage.relaxation > 0.0) check_steps(fmt::format("stage[{}].relaxation", i), stage.relaxation);
       const double repetitions = stage.kind == StageKind::drop ? static_cast<double>(stage.repetitions) : 1.0;
       const double steps = repetitions * (stage.duration + stage.relaxation) / scene_.contact.time_step;
       if (steps > most_steps)
@@ -331,15 +396,9 @@ class PhysicsCheck {
 
   void check_recording() {
     const auto& recording = scene_.recording;
-    const double step = scene_.contact.time_step;
-    const auto check = [&](const std::string& key, double interval) {
-      if (interval >= step * (1.0 - 1e-9)) return;
-      problem("recording." + key, with_unit(interval, units::time),
-              "is shorter than a step; allowed is contact.time_step = {} s or more", shortest(step));
-    };
-    check("bed_interval", recording.bed_interval);
-    check("drop_interval", recording.drop_interval);
-    if (recording.snapshot_interval > 0.0) check("snapshot_interval", recording.snapshot_interval);
+    check_steps("recording.bed_interval", recording.bed_interval, Recording{}.bed_interval);
+    check_steps("recording.drop_interval", recording.drop_interval, Recording{}.drop_interval);
+    if (recording.snapshot_interval > 0.0) check_steps("recording.snapshot_interval", recording.snapshot_interval);
     const auto& [low, high] = recording.fluctuation_window;
     if (low >= high)
       problem("recording.fluctuation_window", fmt::format("[{}, {}]", shortest(low), shortest(high)),

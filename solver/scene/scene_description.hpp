@@ -233,6 +233,9 @@ void describe(Visitor& visitor, Scene& scene, const SceneLaws& laws) {
     visitor.boolean("disturbance_correction", coupling.disturbance_correction, optional);
     visitor.choice("own_volume", coupling.own_volume, own_volumes,
                    left_out_of_name_if(coupling.own_volume == OwnVolume::counted));
+    visitor.text("wall_retardation", coupling.wall_retardation,
+                 left_out_if_default(coupling.wall_retardation, Coupling{}.wall_retardation,
+                                     scene.fluid.tier == FluidTier::quiescent, "it belongs to tier = \"quiescent\""));
     visitor.number("smoothing_length", coupling.smoothing_length, u::length, not_negative, optional);
   });
   visitor.section("outlet", [&] { visitor.choice("particles", scene.outlet.rule, outlet_rules, optional); });

@@ -26,6 +26,8 @@ struct SceneLaws {
   void (*check_contact)(const Scene& scene, Problems& problems);
   /// Adds what is wrong with coupling.drag_law.
   void (*check_drag_law)(const Scene& scene, Problems& problems);
+  /// Where a law from a file lies that a scene file names: beside `scene_file`, if it does, else as written.
+  std::string (*place)(const std::string& law, const std::string& scene_file);
   /// What the hash of a scene has of a law: its name, or the hash of the file that it comes from.
   std::string (*identity)(const std::string& law);
 };

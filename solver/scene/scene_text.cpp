@@ -18,6 +18,7 @@
 #include "solver/scene/overrides.hpp"
 #include "solver/scene/scene_checks.hpp"
 #include "solver/scene/scene_description.hpp"
+#include "solver/scene/size_distribution.hpp"
 #include "solver/support/close_names.hpp"
 
 namespace slfb::description {
@@ -48,8 +49,9 @@ std::string as_written(const toml::node& node) {
 /// Fills a scene from the parsed file. Checks names and types; ranges and physics come after.
 class Reader {
  public:
-  Reader(const toml::table& root, const std::vector<Override>& overrides, std::string file, Problems& problems)
-      : overrides_(overrides), file_(std::move(file)), problems_(problems) {
+  Reader(const toml::table& root, const std::vector<Override>& overrides, std::string file, Problems& problems,
+         const SceneLaws& laws)
+      : overrides_(overrides), file_(std::move(file)), problems_(problems), laws_(laws) {
     scopes_.push_back({&root, "", file_, {}});
   }
 
@@ -90,7 +92,11 @@ class Reader {
     }
   }
 
-  void law(const std::string& key, std::string& value, const Presence& presence) { text(key, value, presence); }
+  void law(const std::string& key, std::string& value, const Presence& presence) {
+    text(key, value, presence);
+    // What the command line names lies where the command is given.
+    if (override_of(path(key)) == nullptr) value = laws_.place(value, file_);
+  }
 
   void boolean(const std::string& key, bool& value, const Presence& presence) {
     const toml::node* node = look_up(key, presence, "true or false");
@@ -299,6 +305,7 @@ class Reader {
   const std::vector<Override>& overrides_;
   std::string file_;
   Problems& problems_;
+  const SceneLaws& laws_;
   std::vector<Scope> scopes_;
 };
 
@@ -404,10 +411,11 @@ Scene read_scene(const std::string& text, const std::string& origin, const std::
   }
   const std::vector<Override> changes = split_overrides(overrides);
   apply_overrides(root, changes, laws);
+  expand_size_distributions(root, origin);
 
   Problems problems(origin);
   Scene scene = unwritten;
-  Reader reader(root, changes, origin, problems);
+  Reader reader(root, changes, origin, problems, laws);
   describe(reader, scene, laws);
   reader.finish();
   problems.raise();

@@ -30,7 +30,11 @@ using Converter = std::unique_ptr<cv_converter, ConverterDeleter>;
 ut_system* unit_system() {
   static const System system = [] {
     ut_set_error_message_handler(ut_ignore);  // our own messages name the value and what is allowed
-    return System(ut_read_xml(nullptr));
+    System made(ut_read_xml(nullptr));
+    // Viscosities are sold in centipoise; UDUNITS spells the poise out and has no symbol for it.
+    if (const Unit centipoise(ut_parse(made.get(), "0.001 Pa s", UT_ASCII)); made && centipoise)
+      ut_map_symbol_to_unit("cP", UT_ASCII, centipoise.get());
+    return made;
   }();
   if (!system) throw std::runtime_error("the unit database of UDUNITS-2 (package libudunits2-data) cannot be read");
   return system.get();

@@ -24,7 +24,7 @@ std::vector<std::string> close_names(std::string_view word, std::vector<std::str
     return std::pair(name.find(word) != std::string::npos ? std::size_t{0} : edit_distance(word, name), name);
   };
   std::ranges::sort(known, {}, rank);
-  known.erase(std::ranges::unique(known).begin(), known.end());
+  known.erase(std::unique(known.begin(), known.end()), known.end());  // clang 14 does not take that of std::ranges
   known.resize(std::min<std::size_t>(3, known.size()));
   return known;
 }

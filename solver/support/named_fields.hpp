@@ -2,6 +2,7 @@
 
 #include <fmt/core.h>
 
+#include <cmath>
 #include <map>
 #include <stdexcept>
 #include <string>
@@ -27,6 +28,25 @@ inline const std::vector<double>& field_of(const NamedFields& fields, const std:
   if (field.size() == length) return field;
   throw std::runtime_error(
       fmt::format("the field \"{}\" of the state has {} values instead of {}", name, field.size(), length));
+}
+
+/// The same, which must have that many values or none.
+/// \throws std::runtime_error if it has another number
+inline const std::vector<double>& field_or_none(const NamedFields& fields, const std::string& name,
+                                                std::size_t length) {
+  const std::vector<double>& field = field_of(fields, name);
+  return field.empty() ? field : field_of(fields, name, length);
+}
+
+/// A whole number from 0 to `most` that is stored as the field's value `place`.
+/// \throws std::runtime_error if it is none
+inline std::size_t index_of(const NamedFields& fields, const std::string& name, std::size_t place, std::size_t most) {
+  const std::vector<double>& field = field_of(fields, name);
+  const double value = place < field.size() ? field[place] : -1.0;
+  if (value >= 0.0 && value <= static_cast<double>(most) && value == std::floor(value))
+    return static_cast<std::size_t>(value);
+  throw std::runtime_error(
+      fmt::format("the field \"{}\" of the state holds {} instead of a whole number from 0 to {}", name, value, most));
 }
 
 /// Adds the fields of a part as "part/name".

@@ -1,6 +1,8 @@
 // A checkpoint goes on only where it fits: its scene, its version, and the names and lengths of its state.
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <cstdint>
 #include <functional>
 #include <stdexcept>
 #include <string>
@@ -8,6 +10,7 @@
 #include "solver/io/hdf5_file.hpp"
 #include "solver/run/checkpoint_files.hpp"
 #include "solver/run/model.hpp"
+#include "tests/hostile_hdf5.hpp"
 #include "tests/temporary_folder.hpp"
 
 namespace slfb::simulation {
@@ -126,11 +129,82 @@ TEST_F(CheckpointTest, TheCouplingTakesNoFieldThatIsAValueShort) {
 }
 
 TEST_F(CheckpointTest, OneOfAnotherVersionIsSaidToBeSo) {
-  io::write_atomically(folder_.path() / "checkpoint.h5", [](io::Hdf5File& target) {
+  const auto earlier = [](io::Hdf5File& target) {
     target.write_attribute("/", "scene_hash", std::string("a scene"));
     target.write("clock", std::vector<std::int64_t>{1, 2});
+  };
+  for (const io::Checksum checksum : {io::Checksum::none, io::Checksum::whole_file}) {
+    io::write_atomically(folder_.path() / "checkpoint.h5", earlier, checksum);
+    expect_failure(two_spheres(), {"checkpoint.h5", "earlier"});
+  }
+}
+
+// A bit that turns over in a file must not lead to another result in silence.
+TEST_F(CheckpointTest, NoChangedByteGoesUnnoticed) {
+  save(two_spheres());
+  for (const char* name : {"checkpoint.h5", "records_1.h5"}) {
+    const auto file = folder_.path() / name;
+    const std::string whole = hostile::bytes_of(file);
+    for (std::size_t k = 0; k < whole.size(); k += 1 + whole.size() / 40) {
+      std::string damaged = whole;
+      damaged[k] = static_cast<char>(damaged[k] ^ 0x08);
+      hostile::set_bytes(file, damaged);
+      EXPECT_NE(failure(two_spheres()), "no error") << name << ", byte " << k;
+    }
+    hostile::set_bytes(file, whole);
+  }
+  EXPECT_EQ(failure(two_spheres()), "no error");
+}
+
+// With a checksum that fits, as somebody could write it.
+TEST_F(CheckpointTest, ValuesThatNoRunCanHaveAreNamed) {
+  const auto file = folder_.path() / "checkpoint.h5";
+  const auto expect_refused = [&](const std::string& item, const std::function<void(hid_t)>& edit) {
+    Scene scene = two_spheres();
+    scene.coupling.basset_history = true;
+    scene.coupling.void_fraction_interval = 3e-3;
+    save(scene);
+    hostile::change(file, edit);
+    const std::string message = failure(scene);
+    EXPECT_NE(message.find(item), std::string::npos) << message;
+  };
+  const auto set_whole = [](hid_t target, const char* path, std::int64_t value) {
+    const hid_t data = H5Dopen2(target, path, H5P_DEFAULT);
+    const std::vector<std::int64_t> values(2, value);
+    H5Dwrite(data, H5T_NATIVE_INT64, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data());
+    H5Dclose(data);
+  };
+  const auto replace_whole = [](hid_t target, const char* path, std::vector<std::int64_t> values) {
+    H5Ldelete(target, path, H5P_DEFAULT);
+    const hsize_t length = values.size();
+    const hid_t space = H5Screate_simple(1, &length, nullptr);
+    const hid_t data = H5Dcreate2(target, path, H5T_STD_I64LE, space, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT);
+    H5Dwrite(data, H5T_NATIVE_INT64, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data());
+    H5Dclose(data);
+    H5Sclose(space);
+  };
+  using hostile::fill, hostile::replace;
+  expect_refused("position", [&](hid_t target) { fill(target, "spheres/particles/position/x", 1e303); });
+  expect_refused("position", [&](hid_t target) { fill(target, "spheres/memory/neighbour_list/position/z", -1e303); });
+  expect_refused("velocity", [&](hid_t target) { fill(target, "spheres/particles/velocity/x", std::nan("")); });
+  expect_refused("mass", [&](hid_t target) { fill(target, "spheres/particles/mass", -1.0); });
+  expect_refused("radius", [&](hid_t target) { fill(target, "spheres/particles/radius", 1.0); });
+  expect_refused("species", [&](hid_t target) { set_whole(target, "spheres/particles/species", 7); });
+  expect_refused("skin", [&](hid_t target) { fill(target, "spheres/memory/neighbour_list/skin", 1e6); });
+  expect_refused("first", [&](hid_t target) { replace_whole(target, "spheres/memory/sphere_contacts/first", {-1}); });
+  expect_refused("second", [&](hid_t target) {
+    replace_whole(target, "spheres/memory/sphere_contacts/first", {0});
+    replace_whole(target, "spheres/memory/sphere_contacts/second", {1LL << 32});
   });
-  expect_failure(two_spheres(), {"checkpoint.h5", "earlier"});
+  expect_refused("spheres 0 and 2", [&](hid_t target) {
+    replace_whole(target, "spheres/memory/sphere_contacts/first", {0});
+    replace_whole(target, "spheres/memory/sphere_contacts/second", {2});
+  });
+  expect_refused("velocity_z", [&](hid_t target) { replace(target, "liquid/velocity_z", {}); });
+  expect_refused("earlier_volume", [&](hid_t target) { replace(target, "liquid/earlier_volume", {1.0}); });
+  expect_refused("interval/steps", [&](hid_t target) { fill(target, "exchange_in_flow/interval/steps", -3.0); });
+  expect_refused("basset_newest",
+                 [&](hid_t target) { fill(target, "exchange_in_flow/forces_beyond_drag/basset_newest", 1e18); });
 }
 
 TEST_F(CheckpointTest, OneOfAnotherSceneIsLeftAlone) {

@@ -1,6 +1,9 @@
 #include "solver/support/files.hpp"
 
 #include <gtest/gtest.h>
+#include <sys/stat.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <filesystem>
@@ -46,12 +49,44 @@ TEST_F(Files, ErrorsNameTheFile) {
   EXPECT_NE(message_of([&] { write_file(lost, "x"); }).find(lost.string()), std::string::npos);
 }
 
-TEST_F(Files, ALinkStaysALink) {
+TEST_F(Files, AFileThatAUserNamesMayBeALink) {
   write_file(folder_ / "text", "old");
   fs::create_symlink(folder_ / "text", folder_ / "link");
-  write_file(folder_ / "link", "new");
+  write_named_file(folder_ / "link", "new");
   EXPECT_TRUE(fs::is_symlink(folder_ / "link"));
   EXPECT_EQ(read_file(folder_ / "text"), "new");
+}
+
+TEST_F(Files, APlantedLinkOrPipeIsReplaced) {
+  write_file(folder_ / "precious", "kept");
+  fs::create_symlink(folder_ / "precious", folder_ / "link");
+  ASSERT_EQ(mkfifo((folder_ / "pipe").c_str(), 0600), 0);
+  for (const char* name : {"link", "pipe"}) {
+    write_file(folder_ / name, "new");
+    EXPECT_TRUE(fs::is_regular_file(fs::symlink_status(folder_ / name)));
+    EXPECT_EQ(read_file(folder_ / name), "new");
+  }
+  EXPECT_EQ(read_file(folder_ / "precious"), "kept");
+}
+
+TEST_F(Files, APipeIsNotReadToAnEndThatItMayNotHave) {
+  ASSERT_EQ(mkfifo((folder_ / "pipe").c_str(), 0600), 0);
+  EXPECT_NE(message_of([&] { read_file(folder_ / "pipe"); }).find("no regular file"), std::string::npos);
+}
+
+TEST_F(Files, WhatAKilledProcessLeftUnfinishedIsRemoved) {
+  const pid_t child = fork();
+  if (child == 0) _exit(0);
+  waitpid(child, nullptr, 0);
+  const std::string dead = "result.h5." + std::to_string(child) + "-3.part",
+                    alive = "result.h5." + std::to_string(getpid()) + "-3.part";
+  for (const std::string& name : {dead, alive, std::string("note.part"), std::string("result.h5")})
+    write_file(folder_ / name, "x");
+  remove_unfinished(folder_);
+  EXPECT_FALSE(fs::exists(folder_ / dead));
+  for (const std::string& name : {alive, std::string("note.part"), std::string("result.h5")})
+    EXPECT_TRUE(fs::exists(folder_ / name)) << name;
+  EXPECT_NO_THROW(remove_unfinished(folder_ / "none"));
 }
 
 }  // namespace

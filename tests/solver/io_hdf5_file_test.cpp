@@ -1,4 +1,6 @@
 #include <gtest/gtest.h>
+#include <signal.h>
+#include <sys/stat.h>
 
 #include <cmath>
 #include <filesystem>
@@ -11,6 +13,7 @@
 #include <vector>
 
 #include "solver/io/hdf5_file.hpp"
+#include "tests/hostile_hdf5.hpp"
 
 namespace slfb::io {
 namespace {
@@ -142,6 +145,7 @@ TEST_F(Hdf5FileTest, MissingItemsAreNamedWithTheFile) {
   {
     Hdf5File target = Hdf5File::create(file());
     target.write("bed/time", {1.0, 2.0}, "s");
+    target.close();
   }
   const Hdf5File source = Hdf5File::open(file());
   const std::vector<std::string> messages{message_of([&] { (void)source.read_doubles("bed/pressure"); }),
@@ -175,6 +179,121 @@ TEST_F(Hdf5FileTest, AFailedAtomicWriteLeavesTheOldFileAndNoTemporary) {
   EXPECT_EQ(Hdf5File::open(file()).read_doubles("values"), std::vector<double>{1.0});
   const auto entries = std::filesystem::directory_iterator(file().parent_path());
   EXPECT_EQ(std::distance(begin(entries), end(entries)), 1);
+}
+
+/// A file with a checksum.
+void write_checked(const std::filesystem::path& file) {
+  write_atomically(
+      file,
+      [](Hdf5File& target) {
+        target.write("values", sines(1000), "m");
+        target.write("whole", std::vector<std::int64_t>{1, 2});
+        target.write_attribute("/", "text", std::string("abc"));
+      },
+      Checksum::whole_file);
+}
+
+TEST_F(Hdf5FileTest, EachChangedByteAndEachMissingEndIsFound) {
+  write_checked(file());
+  const std::string whole = hostile::bytes_of(file());
+  EXPECT_EQ(Hdf5File::open(file(), Checksum::whole_file).read_doubles("values"), sines(1000));
+  for (std::size_t k = 0; k < whole.size(); k += 7) {
+    std::string damaged = whole;
+    damaged[k] = static_cast<char>(damaged[k] ^ 0x10);
+    hostile::set_bytes(file(), damaged);
+    EXPECT_NE(message_of([&] { Hdf5File::open(file()); }).find(file().string()), std::string::npos) << "byte " << k;
+    hostile::set_bytes(file(), whole.substr(0, k));
+    EXPECT_NE(message_of([&] { Hdf5File::open(file()); }).find(file().string()), std::string::npos) << k << " bytes";
+  }
+}
+
+TEST_F(Hdf5FileTest, AnyReaderOfHdf5FindsItsPartBehindTheChecksum) {
+  write_checked(file());
+  const hid_t handle = H5Fopen(file().c_str(), H5F_ACC_RDONLY, H5P_DEFAULT);
+  ASSERT_GE(handle, 0);
+  EXPECT_GT(H5Lexists(handle, "values", H5P_DEFAULT), 0);
+  H5Fclose(handle);
+}
+
+TEST_F(Hdf5FileTest, AFileWithoutChecksumIsReadWhereNoneIsRequired) {
+  write_atomically(file(), [](Hdf5File& target) { target.write("values", {1.0}, "m"); });
+  EXPECT_EQ(Hdf5File::open(file()).read_doubles("values"), std::vector<double>{1.0});
+  EXPECT_NE(message_of([&] { Hdf5File::open(file(), Checksum::whole_file); }).find("has no checksum"),
+            std::string::npos);
+}
+
+TEST_F(Hdf5FileTest, WhatNeedNotFitItsClaimIsRefused) {
+  const auto refused = [&](const std::function<void(hid_t)>& edit, const auto& read) {
+    write_checked(file());
+    hostile::change(file(), edit);
+    const Hdf5File source = Hdf5File::open(file());
+    const std::string message = message_of([&] { read(source); });
+    EXPECT_NE(message.find(file().string()), std::string::npos) << message;
+    return message;
+  };
+  const auto read_values = [](const Hdf5File& source) { (void)source.read_doubles("values"); };
+  const auto read_text = [](const Hdf5File& source) { (void)source.read_string_attribute("/", "text"); };
+
+  // Ten texts where a buffer for one is ready.
+  refused(
+      [](hid_t target) {
+        H5Adelete(target, "text");
+        const hid_t type = H5Tcopy(H5T_C_S1);
+        H5Tset_size(type, 3);
+        const hsize_t ten = 10;
+        const hid_t space = H5Screate_simple(1, &ten, nullptr);
+        const hid_t text = H5Acreate2(target, "text", type, space, H5P_DEFAULT, H5P_DEFAULT);
+        const std::string letters(30, 'x');
+        H5Awrite(text, type, letters.data());
+        H5Aclose(text);
+        H5Sclose(space);
+        H5Tclose(type);
+      },
+      read_text);
+  // 10^15 values, none of which is stored.
+  const std::string message = refused(
+      [](hid_t target) {
+        H5Ldelete(target, "values", H5P_DEFAULT);
+        const hsize_t many = 1'000'000'000'000'000, chunk = 1000;
+        const hid_t space = H5Screate_simple(1, &many, nullptr), layout = H5Pcreate(H5P_DATASET_CREATE);
+        H5Pset_chunk(layout, 1, &chunk);
+        H5Dclose(H5Dcreate2(target, "values", H5T_IEEE_F64LE, space, H5P_DEFAULT, layout, H5P_DEFAULT));
+        H5Pclose(layout);
+        H5Sclose(space);
+      },
+      read_values);
+  EXPECT_NE(message.find("1000000000000000"), std::string::npos) << message;
+  // Another file in the place of a data set.
+  refused(
+      [](hid_t target) {
+        H5Ldelete(target, "values", H5P_DEFAULT);
+        H5Lcreate_external("/etc/passwd", "values", target, "values", H5P_DEFAULT, H5P_DEFAULT);
+      },
+      read_values);
+  // Text in the place of numbers, reals in the place of whole numbers.
+  refused(
+      [](hid_t target) {
+        H5Ldelete(target, "values", H5P_DEFAULT);
+        const hid_t space = H5Screate(H5S_SCALAR);
+        H5Dclose(H5Dcreate2(target, "values", H5T_C_S1, space, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT));
+        H5Sclose(space);
+      },
+      read_values);
+  refused([](hid_t target) { hostile::replace(target, "whole", {1.5}); },
+          [](const Hdf5File& source) { (void)source.read_integers("whole"); });
+}
+
+TEST_F(Hdf5FileTest, APipeIsNotWaitedFor) {
+  ASSERT_EQ(mkfifo(file().c_str(), 0600), 0);
+  EXPECT_NE(message_of([&] { Hdf5File::open(file()); }).find("no regular file"), std::string::npos);
+}
+
+TEST_F(Hdf5FileTest, ACrashOfTheLibraryIsAnErrorThatNamesTheFile) {
+  EXPECT_NE(message_of([&] { read_with_care(file(), [] { raise(SIGKILL); }); }).find(file().string()),
+            std::string::npos);
+  int calls = 0;
+  read_with_care(file(), [&] { ++calls; });
+  EXPECT_EQ(calls, 1) << "the other call was in another process";
 }
 
 TEST_F(Hdf5FileTest, ThreadsWriteFilesSideBySide) {

@@ -258,7 +258,7 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"kind = \"fluidise\"", "kind = \"fluidise\"\nsuperficial_velocity = \"0.2 m/s\"",
                 "stage[1].superficial_velocity", "\"0.2 m/s\"", "another fluidise stage after this one"},
         Mistake{"drop_interval = \"1 ms\"", "drop_interval = \"1e-5 s\"", "recording.drop_interval", "\"1e-5 s\"",
-                "shorter than a step"}));
+                "is 0.02 liquid steps; allowed is a whole multiple of fluid.time_step"}));
 
 // --- rules that blame a line other than the one changed --------------------------------------------------------------
 

@@ -1,16 +1,20 @@
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <csignal>
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
+#include "experiments/runs/campaign.hpp"
 #include "experiments/runs/run_campaign.hpp"
 #include "experiments/runs/run_files.hpp"
 #include "experiments/runs/run_lock.hpp"
 #include "experiments/runs/stop_signals.hpp"
+#include "solver/support/child_process.hpp"
 #include "solver/support/folders.hpp"
 
 namespace slfb {
@@ -145,6 +149,71 @@ TEST(CampaignOutcomeTest, AnInterruptionIsReportedAsTheShellDoes) {
   EXPECT_EQ((CampaignOutcome{.failed = 1}).exit_status(), 1);
   EXPECT_EQ((CampaignOutcome{.failed = 1, .interrupted = 1}).exit_status(), 130);
   EXPECT_EQ((CampaignOutcome{.failed = 1, .interrupted = 2}).unfinished(), 3);
+}
+
+// What a published result says of its scene is somebody's text.
+TEST_F(RunCampaignTest, APublishedSceneMakesNobodyCompileAnything) {
+  std::filesystem::create_directories(out_);
+  const auto trace = out_ / "trace", law = out_ / "evil.cpp";
+  std::ofstream(law) << "#include <fstream>\nstatic const bool ran = (std::ofstream(\"" << trace.string()
+                     << "\"), true);\n";
+  Profile profile;
+  RunSpec spec{"sphere", 0.0, "", single_sphere, {}};
+  spec.profile = "quick";
+  spec.published = out_ / "published";
+  profile.runs = {spec};
+  RunResult result;
+  result.numerics = numerics_version - 1;
+  result.scene_text = canonical_toml(load_run_scene(spec));
+  const std::string key = "drag_law = ";
+  const auto from = result.scene_text.find(key) + key.size();
+  result.scene_text.replace(from, result.scene_text.find('\n', from) - from, "\"" + law.string() + "\"");
+  save_result(result, published_file(spec));
+  EXPECT_TRUE(finished_runs(profile, out_).empty());
+  EXPECT_FALSE(std::filesystem::exists(trace));
+  spec.variant = "../../escaped";
+  EXPECT_THROW((void)published_file(spec), std::runtime_error);
+}
+
+TEST_F(RunCampaignTest, AResultOfAnotherSceneIsNotTaken) {
+  const std::string hash = scene_hash(falling_sphere(0.2));
+  RunResult other;
+  other.name = scene_hash(falling_sphere(0.4));
+  save_result(other, result_file(out_, hash));
+  EXPECT_THROW((void)load_own_result(out_, hash), std::runtime_error);
+}
+
+// As long as nothing is worth saving a signal ends the program; after that it asks for the state to be saved.
+TEST(StopSignals, TheFirstSignalActsDuringSetUpAndIsAWishLater) {
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
+    const auto during_set_up = trouble_in_child(
+        [&] {
+          const StopSignals signals;
+          raise(signal);
+        },
+        20);
+    ASSERT_TRUE(during_set_up);
+    EXPECT_NE(during_set_up->find(fmt::format("signal {} ", signal)), std::string::npos) << *during_set_up;
+    const auto later = trouble_in_child(
+        [&] {
+          const StopSignals signals;
+          const WorkToSave state;
+          raise(signal);
+          if (!signals.requested()) std::abort();
+        },
+        20);
+    EXPECT_FALSE(later) << *later;
+  }
+  const auto with_nohup = trouble_in_child(
+      [] {
+        std::signal(SIGHUP, SIG_IGN);
+        const StopSignals signals;
+        const WorkToSave state;
+        raise(SIGHUP);
+        if (signals.requested()) std::abort();
+      },
+      20);
+  EXPECT_FALSE(with_nohup) << *with_nohup;
 }
 
 }  // namespace

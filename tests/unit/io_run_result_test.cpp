@@ -11,6 +11,8 @@
 #include "solver/io/hdf5_file.hpp"
 #include "solver/io/run_result.hpp"
 #include "solver/laws/scene_file.hpp"
+#include "solver/support/folders.hpp"
+#include "tests/hostile_hdf5.hpp"
 #include "tests/unit/synthetic_runs.hpp"
 
 namespace slfb {
@@ -198,6 +200,57 @@ TEST_F(RunResultTest, AFileThatLacksAnItemIsNamedWithIt) {
     EXPECT_NE(message.find(file().string()), std::string::npos) << message;
     EXPECT_NE(message.find("scene"), std::string::npos) << message;
   }
+}
+
+TEST_F(RunResultTest, ASceneOfAnyLengthComesBack) {
+  RunResult result = example();
+  result.scene_text.assign(200'000, '#');
+  save_result(result, file());
+  EXPECT_EQ(load_result(file()).scene_text, result.scene_text);
+}
+
+TEST_F(RunResultTest, WhatContradictsItselfIsNamed) {
+  const auto expect_refused = [&](const std::string& item, const std::function<void(hid_t)>& edit) {
+    save_result(example(), file());
+    hostile::change(file(), edit);
+    try {
+      (void)load_result(file());
+      ADD_FAILURE() << "loaded with a changed " << item;
+    } catch (const std::runtime_error& error) {
+      EXPECT_NE(std::string(error.what()).find(item), std::string::npos) << error.what();
+      EXPECT_NE(std::string(error.what()).find(file().string()), std::string::npos) << error.what();
+    }
+  };
+  using hostile::fill, hostile::replace;
+  const auto set_count = [](hid_t target, const char* group, std::int64_t count) {
+    const hid_t attribute = H5Aopen_by_name(target, group, "count", H5P_DEFAULT, H5P_DEFAULT);
+    H5Awrite(attribute, H5T_NATIVE_INT64, &count);
+    H5Aclose(attribute);
+  };
+  for (const char* column : {"bed/centre_of_mass_height", "drops/0001/z", "plane/voidage", "snapshots/0000/radius"}) {
+    expect_refused(column, [&](hid_t target) { replace(target, column, {0.1}); });
+    expect_refused(column, [&](hid_t target) { replace(target, column, {}); });
+    expect_refused(column, [&](hid_t target) { fill(target, column, std::nan("")); });
+  }
+  expect_refused("liquid_fluctuation", [&](hid_t target) { replace(target, "liquid_fluctuation/rms_x", {0.1}); });
+  expect_refused("drops@count", [&](hid_t target) { set_count(target, "drops", 1'000'000'000'000); });
+  expect_refused("drops@count", [&](hid_t target) { set_count(target, "drops", -1); });
+  expect_refused("foreign", [&](hid_t target) {
+    const std::int64_t beyond = 1'000'000;
+    const hid_t attribute = H5Aopen_by_name(target, "snapshots/0000", "foreign", H5P_DEFAULT, H5P_DEFAULT);
+    H5Awrite(attribute, H5T_NATIVE_INT64, &beyond);
+    H5Aclose(attribute);
+  });
+}
+
+TEST_F(RunResultTest, CommittedResultsStayReadable) {
+  int read = 0;
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(source_folder() / "reports" / "published"))
+    if (entry.path().extension() == ".h5") {
+      EXPECT_NO_THROW((void)load_result(entry.path())) << entry.path();
+      ++read;
+    }
+  EXPECT_GT(read, 100);
 }
 
 TEST_F(RunResultTest, NothingIsLeftBesideTheFile) {

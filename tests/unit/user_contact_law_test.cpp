@@ -206,5 +206,22 @@ TEST_F(UserContactLawInAScene, ARunKeepsACopyOfTheFile) {
   EXPECT_TRUE(fs::exists(run_directory(folder_, scene_hash(scene)) / "contact_law.cpp"));
 }
 
+TEST_F(UserContactLawInAScene, ALawThatThrowsIsNamedBeforeTheRun) {
+  const auto throws = [](const std::string& what) {
+    return replaced(law_template("contact"),
+                    "const double damping =", "if (overlap > 0) throw " + what + "; const double damping =");
+  };
+  for (const auto& [source, part] : {std::pair{file("one.cpp", throws("std::runtime_error(\"no\")")), ": no"},
+                                     std::pair{file("two.cpp", throws("1")), "throws something"}})
+    try {
+      sphere(source);
+      ADD_FAILURE() << "the scene was taken";
+    } catch (const SceneError& error) {
+      const std::string message = error.what();
+      EXPECT_NE(message.find("contact.law = \"" + source), std::string::npos) << message;
+      EXPECT_NE(message.find(part), std::string::npos) << message;
+    }
+}
+
 }  // namespace
 }  // namespace slfb

@@ -3,6 +3,8 @@
 #include "solver/laws/user_law.hpp"
 
 #include <gtest/gtest.h>
+#include <stdlib.h>
+#include <sys/stat.h>
 
 #include <cmath>
 #include <filesystem>
@@ -156,6 +158,105 @@ TEST_F(UserLawInAScene, ASimulationCannotTellItFromTheSuitesLaw) {
   EXPECT_EQ(one.drops[0].z, other.drops[0].z);
   EXPECT_EQ(one.drops[0].bottom_time, other.drops[0].bottom_time);
   EXPECT_TRUE(fs::exists(run_directory(folder_, scene_hash(theirs)) / "drag_law.cpp"));
+}
+
+/// What a run with this law fails with.
+std::string failure_with(const Scene& scene, const fs::path& out) {
+  const CampaignOutcome outcome =
+      run_scenes({{"run", scene}}, {.out = out, .jobs = 1, .threads_per_run = 2, .progress = false});
+  return outcome.failures.empty() ? "finished" : outcome.failures.front();
+}
+
+TEST_F(UserLawInAScene, WhatALawDoesWrongIsSaidOfTheLaw) {
+  const std::string law = law_template("drag"), formula = "return one_sphere * pow(flow.voidage, -3.65);";
+  const auto expect = [&](const std::string& name, const std::string& body, const std::string& part) {
+    const std::string source = file(name, replaced(law, formula, body));
+    const std::string message = failure_with(sphere(source), folder_);
+    EXPECT_NE(message.find("my-law (" + source + ")"), std::string::npos) << message;
+    EXPECT_NE(message.find(part), std::string::npos) << message;
+    EXPECT_EQ(message.find("time_step"), std::string::npos) << message;
+  };
+  expect("log.cpp", "return one_sphere + (1.0 - flow.voidage) * std::log(1.0 - flow.voidage);",
+         "nan times Stokes drag at a voidage of 1 ");
+  expect("negative.cpp", "return -1.0 * one_sphere;", "gives -");
+  expect("throws.cpp", "if (flow.voidage > 0.1) throw std::runtime_error(\"no drag here\"); return one_sphere;",
+         "fails: no drag here");
+  expect("number.cpp", "if (flow.voidage > 0.1) throw 1; return one_sphere;", "throws something");
+}
+
+TEST_F(UserLaw, WhatCannotBeALawIsSaidSoon) {
+  const std::string law = law_template("drag"), formula = "return one_sphere * pow(flow.voidage, -3.65);";
+  const auto expect = [&](const std::string& source, const std::string& part) {
+    const std::string message = error_of(source);
+    EXPECT_NE(message.find(source), std::string::npos) << message;
+    EXPECT_NE(message.find(part), std::string::npos) << message;
+  };
+  expect(file("endless.cpp", replaced(law, formula, "for (volatile int k = 0;; k = k) {} return one_sphere;")),
+         "does not end within");
+  expect(file("crash.cpp", replaced(law, formula, "*(volatile int*)0 = 1; return one_sphere;")), "ends with signal");
+  // A line as long as no pattern matcher likes it.
+  EXPECT_EQ(error_of(file("blanks.cpp", law + "//" + std::string(400'000, ' ') + "#include \n")), "");
+  const fs::path pipe = folder_ / "pipe.cpp";
+  ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
+  expect(pipe.string(), "cannot be read");
+  expect(folder_.string() + "/none.cpp", "cannot be read");
+  fs::create_directories(folder_ / "folder.cpp");
+  expect((folder_ / "folder.cpp").string(), "cannot be read");
+  ASSERT_EQ(setenv("CXX", "/bin/true", 1), 0);
+  expect(file("other.cpp", law + "// compiled by nobody\n"), "made nothing of it");
+  unsetenv("CXX");
+}
+
+// Loading alone would run the constructors of a file.
+TEST_F(UserLaw, ALookAtASceneRunsNoCodeOfIt) {
+  const fs::path trace = folder_ / "trace";
+  const std::string source =
+      file("mine.cpp", law_template("drag") + "#include <fstream>\nstatic const bool ran = (std::ofstream(\"" +
+                           trace.string() + "\"), true);\n");
+  {
+    const NoForeignCode guard;
+    EXPECT_NE(error_of(source).find("neither compiled nor run"), std::string::npos);
+    EXPECT_FALSE(fs::exists(trace));
+  }
+  EXPECT_EQ(error_of(source), "");
+  EXPECT_TRUE(fs::exists(trace));
+}
+
+TEST_F(UserLawInAScene, AFileBesideTheSceneIsFoundAndTheArchivedSceneRunsAgain) {
+  fs::create_directories(folder_ / "scenes");
+  (void)file("scenes/factor.hpp", "#pragma once\nconstexpr double factor = 1.5;\n");
+  (void)file("scenes/mine.cpp", "#include \"factor.hpp\"\n" + replaced(law_template("drag"), "return one_sphere *",
+                                                                       "return factor * one_sphere *"));
+  const Scene outline = sphere("wen-yu-1966");
+  std::string text = canonical_toml(outline);
+  text = replaced(text, "\"wen-yu-1966\"", "\"mine.cpp\"");
+  (void)file("scenes/scene.toml", text);
+  const Scene scene = load_scene(folder_ / "scenes/scene.toml");
+  EXPECT_EQ(failure_with(scene, folder_ / "out"), "finished");
+  const fs::path run = run_directory(folder_ / "out", scene_hash(scene));
+  fs::remove_all(folder_ / "scenes");
+  const Scene again = load_scene(run / "scene.toml");
+  EXPECT_EQ(scene_hash(again), scene_hash(scene));
+  EXPECT_EQ(failure_with(again, folder_ / "other"), "finished");
+}
+
+TEST_F(UserLawInAScene, APlantedLinkIsNotFollowed) {
+  const Scene scene = sphere("wen-yu-1966");
+  const fs::path precious = folder_ / "precious", run = run_directory(folder_, scene_hash(scene));
+  (void)file("precious", "kept");
+  fs::create_directories(run);
+  for (const char* name : {"scene.toml", "result.h5.part", "checkpoint.h5"}) fs::create_symlink(precious, run / name);
+  fs::remove(run / "checkpoint.h5");
+  EXPECT_EQ(failure_with(scene, folder_), "finished");
+  EXPECT_EQ(fs::file_size(precious), 4U);
+  EXPECT_FALSE(fs::is_symlink(run / "scene.toml"));
+  // In the place of the run's folder it is refused.
+  const fs::path elsewhere = folder_ / "elsewhere", link = run_directory(folder_ / "out", scene_hash(scene));
+  fs::create_directories(elsewhere);
+  fs::create_directories(link.parent_path());
+  fs::create_directory_symlink(elsewhere, link);
+  EXPECT_NE(failure_with(scene, folder_ / "out").find("is a link"), std::string::npos);
+  EXPECT_TRUE(fs::is_empty(elsewhere));
 }
 
 }  // namespace

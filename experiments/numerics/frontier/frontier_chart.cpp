@@ -319,10 +319,23 @@ FigureOutput draw_frontier(const Study& study, const ReducedStudy& reduced, cons
 
 namespace slfb {
 
+namespace {
+
+/// Whoever draws the figure meets the error of a damaged file; the other figures and commands do not.
+std::string title_of(const std::filesystem::path& file) {
+  try {
+    return frontier::load_study(file, studies::Set::full).title;
+  } catch (const std::exception&) {
+    return file.filename().string() + " (cannot be read)";
+  }
+}
+
+}  // namespace
+
 std::vector<Figure> frontier_charts() {
   std::vector<Figure> list;
   for (const auto& file : frontier::study_files())
-    list.push_back({"frontier-" + file.stem().string(), frontier::load_study(file, studies::Set::full).title, no_runs,
+    list.push_back({"frontier-" + file.stem().string(), title_of(file), no_runs,
                     [file](const FigureContext& context) {
                       const auto study = frontier::load_study(file, studies::Set::full);
                       return frontier::draw_frontier(study, frontier::load_reduced(study, context.results),

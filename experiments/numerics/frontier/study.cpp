@@ -6,11 +6,11 @@
 #include <algorithm>
 #include <cmath>
 #include <ctime>
-#include <fstream>
 #include <limits>
 #include <nlohmann/json.hpp>
 
 #include "experiments/quantities/analysis.hpp"
+#include "experiments/quantities/json_file.hpp"
 #include "solver/support/files.hpp"
 #include "solver/support/folders.hpp"
 #include "solver/support/toml_table.hpp"
@@ -39,19 +39,16 @@ std::vector<double> numbers_for(TomlTable& table, const std::string& key, Set se
   return set == Set::quick && !quick.empty() ? quick : full;
 }
 
-ordered_json number(double value) { return std::isfinite(value) ? ordered_json(value) : ordered_json(nullptr); }
-double number(const ordered_json& value) { return value.is_null() ? nothing : value.get<double>(); }
-
 ordered_json json_of(const PointValue& value) {
-  return {{"value", number(value.value)},
-          {"half_width", number(value.half_width)},
-          {"error", number(value.error)},
-          {"error_half_width", number(value.error_half_width)}};
+  return {{"value", number_or_null(value.value)},
+          {"half_width", number_or_null(value.half_width)},
+          {"error", number_or_null(value.error)},
+          {"error_half_width", number_or_null(value.error_half_width)}};
 }
 
 PointValue point_value(const ordered_json& value) {
-  return {number(value.at("value")), number(value.at("half_width")), number(value.at("error")),
-          number(value.at("error_half_width"))};
+  return {number_or_nan(value.at("value")), number_or_nan(value.at("half_width")), number_or_nan(value.at("error")),
+          number_or_nan(value.at("error_half_width"))};
 }
 
 /// Mean and interval of one quantity over the replicates that have it; NaN where none has.
@@ -72,27 +69,27 @@ PointValue mean_of(const std::vector<TrialResult>& results, const std::string& q
 
 /// What save_reduced wrote; no points where there is no file.
 ReducedStudy load_file(const std::filesystem::path& file) {
-  ReducedStudy reduced;
-  std::ifstream stream(file);
-  if (!stream) return reduced;
-  const ordered_json json = ordered_json::parse(stream);
-  reduced.set = json.at("set");
-  reduced.machine = json.at("machine");
-  reduced.date = json.at("date");
-  reduced.numerics = json.at("numerics");
-  for (const auto& [quantity, value] : json.at("reference").items()) reduced.reference[quantity] = point_value(value);
-  for (const auto& one : json.at("points")) {
-    ReducedPoint point;
-    point.series = one.at("series");
-    point.axis = one.at("axis");
-    point.cpu_seconds = one.at("cpu_seconds");
-    point.counts = one.at("counts").get<std::map<std::string, double>>();
-    point.replicates = one.at("replicates");
-    point.failure = one.at("failure");
-    for (const auto& [quantity, value] : one.at("values").items()) point.values[quantity] = point_value(value);
-    reduced.points.push_back(std::move(point));
-  }
-  return reduced;
+  if (!std::filesystem::exists(file)) return {};
+  return read_json(file, "a reduced study", [](const ordered_json& json) {
+    ReducedStudy reduced;
+    reduced.set = json.at("set");
+    reduced.machine = json.at("machine");
+    reduced.date = json.at("date");
+    reduced.numerics = static_cast<int>(whole_number(json.at("numerics")));
+    for (const auto& [quantity, value] : json.at("reference").items()) reduced.reference[quantity] = point_value(value);
+    for (const auto& one : json.at("points")) {
+      ReducedPoint point;
+      point.series = one.at("series");
+      point.axis = one.at("axis");
+      point.cpu_seconds = one.at("cpu_seconds");
+      point.counts = one.at("counts").get<std::map<std::string, double>>();
+      point.replicates = static_cast<int>(whole_number(one.at("replicates")));
+      point.failure = one.at("failure");
+      for (const auto& [quantity, value] : one.at("values").items()) point.values[quantity] = point_value(value);
+      reduced.points.push_back(std::move(point));
+    }
+    return reduced;
+  });
 }
 
 }  // namespace

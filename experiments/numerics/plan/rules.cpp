@@ -82,8 +82,9 @@ std::string add_measured(TomlTable& table, std::map<std::string, Measured>& meas
 
 }  // namespace
 
-Rules load_rules() {
-  const auto file = source_folder() / "experiments" / "numerics" / "plan" / "rules.toml";
+Rules load_rules() { return load_rules(source_folder() / "experiments" / "numerics" / "plan" / "rules.toml"); }
+
+Rules load_rules(const std::filesystem::path& file) {
   const toml::table parsed = parse_toml_file(file);
   TomlTable table(parsed, file.string());
   Rules rules;

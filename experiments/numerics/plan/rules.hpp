@@ -1,5 +1,6 @@
 #pragma once
 
+#include <filesystem>
 #include <map>
 #include <string>
 #include <vector>
@@ -43,5 +44,7 @@ struct Rules {
 /// Reads rules.toml, and the effects that it refers to from the committed results of the studies.
 /// \throws std::runtime_error with file, line and key
 Rules load_rules();
+/// The same from another file.
+Rules load_rules(const std::filesystem::path& file);
 
 }  // namespace slfb::plan

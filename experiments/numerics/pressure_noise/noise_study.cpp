@@ -7,7 +7,6 @@
 #include <array>
 #include <cmath>
 #include <ctime>
-#include <fstream>
 #include <numbers>
 #include <numeric>
 #include <sstream>
@@ -16,6 +15,7 @@
 
 #include "correlations/materials.hpp"
 #include "experiments/numerics/studies/coupled_bed.hpp"
+#include "solver/support/files.hpp"
 #include "solver/support/processor.hpp"
 
 namespace slfb::noise {
@@ -76,11 +76,11 @@ void run_study(const std::filesystem::path& file, const std::string& command,
   const Scene scene = studies::glass_bed();
   say("fluidising the bed for 1.5 s");
   const dem::Particles start = studies::fluidised(scene, 1.5);
-  std::ofstream out(file);
-  out << fmt::format("# {} on one core of {}, {:%Y-%m-%d}\n", command, processor_name(),
-                     fmt::gmtime(std::time(nullptr)));
-  out << "method,time step [s],root mean square [Pa],low [Pa],high [Pa],mean [Pa],weight of the bed [Pa],measured "
-         "[s],failure\n";
+  std::string text =
+      fmt::format("# {} on one core of {}, {:%Y-%m-%d}\n", command, processor_name(), fmt::gmtime(std::time(nullptr)));
+  text +=
+      "method,time step [s],root mean square [Pa],low [Pa],high [Pa],mean [Pa],weight of the bed [Pa],measured "
+      "[s],failure\n";
   for (const Method& method : methods())
     for (const double time_step : time_steps) {
       if (method.interval > 0.0 && time_step > 0.99 * method.interval) continue;  // that is every step
@@ -90,19 +90,17 @@ void run_study(const std::filesystem::path& file, const std::string& command,
       changed.coupling.void_fraction_interval = method.interval;
       changed.fluid.time_step = time_step;
       const NoisePoint p = measure(changed, start, 0.2, 1.0);
-      out << fmt::format("{},{:g},{:.2f},{:.2f},{:.2f},{:.2f},{:.2f},{:g},{}\n", method.name, p.time_step, p.rms, p.low,
-                         p.high, p.mean, p.bed_weight, p.seconds, p.failure)
-          << std::flush;
+      text += fmt::format("{},{:g},{:.2f},{:.2f},{:.2f},{:.2f},{:.2f},{:g},{}\n", method.name, p.time_step, p.rms,
+                          p.low, p.high, p.mean, p.bed_weight, p.seconds, p.failure);
+      write_file(file, text);
       say(p.failure.empty() ? fmt::format("{}, {:g} s: {:.1f} Pa ({:.1f} to {:.1f}) about {:.0f}", method.name,
                                           time_step, p.rms, p.low, p.high, p.mean)
                             : fmt::format("{}, {:g} s: {}", method.name, time_step, p.failure));
     }
-  if (!out) throw std::runtime_error(fmt::format("{}: cannot be written", file.string()));
 }
 
 std::vector<NoisePoint> load_study(const std::filesystem::path& file) {
-  std::ifstream in(file);
-  if (!in) throw std::runtime_error(fmt::format("{}: cannot be read", file.string()));
+  std::istringstream in(read_file(file));
   std::vector<NoisePoint> points;
   int number = 0;
   for (std::string line; std::getline(in, line);) {

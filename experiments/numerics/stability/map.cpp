@@ -5,11 +5,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <fstream>
 #include <limits>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
+#include "experiments/quantities/json_file.hpp"
 #include "solver/support/files.hpp"
 #include "solver/support/folders.hpp"
 #include "solver/support/toml_table.hpp"
@@ -41,33 +41,32 @@ Verdict judge(const Map& map, const MapSeries& series, const TrialResult& result
 
 constexpr std::array kinds{"found", "never fails", "always fails"};
 
-ordered_json number(double value) { return std::isfinite(value) ? ordered_json(value) : ordered_json(nullptr); }
-
 /// What save_solved wrote; no boundaries where there is no file.
 SolvedMap load_file(const std::filesystem::path& file) {
-  SolvedMap solved;
-  std::ifstream stream(file);
-  if (!stream) return solved;
-  const ordered_json json = ordered_json::parse(stream);
-  solved.set = json.at("set");
-  solved.machine = json.at("machine");
-  solved.date = json.at("date");
-  solved.numerics = json.at("numerics");
-  for (const auto& one : json.at("boundaries")) {
-    Boundary b;
-    b.series = one.at("series");
-    b.x = one.at("x");
-    b.kind = static_cast<BoundaryKind>(std::find(kinds.begin(), kinds.end(), one.at("kind").get<std::string>()) -
-                                       kinds.begin());
-    b.y = one.at("y");
-    b.low = one.at("low");
-    b.high = one.at("high");
-    b.trials = one.at("trials");
-    b.diagnosis = one.at("diagnosis");
-    for (const auto& value : one.at("theory")) b.theory.push_back(value.is_null() ? nothing : value.get<double>());
-    solved.boundaries.push_back(std::move(b));
-  }
-  return solved;
+  if (!std::filesystem::exists(file)) return {};
+  return read_json(file, "a solved map", [](const ordered_json& json) {
+    SolvedMap solved;
+    solved.set = json.at("set");
+    solved.machine = json.at("machine");
+    solved.date = json.at("date");
+    solved.numerics = static_cast<int>(whole_number(json.at("numerics")));
+    for (const auto& one : json.at("boundaries")) {
+      Boundary b;
+      b.series = one.at("series");
+      b.x = one.at("x");
+      const auto kind = std::ranges::find(kinds, one.at("kind").get<std::string>());
+      if (kind == kinds.end()) throw std::runtime_error("unknown kind of a boundary");
+      b.kind = static_cast<BoundaryKind>(kind - kinds.begin());
+      b.y = one.at("y");
+      b.low = one.at("low");
+      b.high = one.at("high");
+      b.trials = static_cast<int>(whole_number(one.at("trials")));
+      b.diagnosis = one.at("diagnosis");
+      for (const auto& value : one.at("theory")) b.theory.push_back(number_or_nan(value));
+      solved.boundaries.push_back(std::move(b));
+    }
+    return solved;
+  });
 }
 
 }  // namespace
@@ -225,7 +224,7 @@ void save_solved(const SolvedMap& solved, const std::filesystem::path& file) {
                     {"date", solved.date}, {"numerics", solved.numerics}, {"boundaries", ordered_json::array()}};
   for (const Boundary& b : solved.boundaries) {
     ordered_json theory = ordered_json::array();
-    for (const double value : b.theory) theory.push_back(number(value));
+    for (const double value : b.theory) theory.push_back(number_or_null(value));
     json["boundaries"].push_back({{"series", b.series},
                                   {"x", b.x},
                                   {"kind", kinds[static_cast<std::size_t>(b.kind)]},

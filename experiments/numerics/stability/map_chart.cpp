@@ -201,10 +201,23 @@ FigureOutput draw_map(const Map& map, const SolvedMap& solved, const SolvedMap& 
 
 namespace slfb {
 
+namespace {
+
+/// Whoever draws the figure meets the error of a damaged file; the other figures and commands do not.
+std::string title_of(const std::filesystem::path& file) {
+  try {
+    return stability::load_map(file, studies::Set::full).title;
+  } catch (const std::exception&) {
+    return file.filename().string() + " (cannot be read)";
+  }
+}
+
+}  // namespace
+
 std::vector<Figure> stability_maps() {
   std::vector<Figure> list;
   for (const auto& file : stability::map_files())
-    list.push_back({"stability-" + file.stem().string(), stability::load_map(file, studies::Set::full).title, no_runs,
+    list.push_back({"stability-" + file.stem().string(), title_of(file), no_runs,
                     [file](const FigureContext& context) {
                       const auto map = stability::load_map(file, studies::Set::full);
                       return stability::draw_map(map, stability::load_solved(map, context.results),

@@ -1,23 +1,21 @@
 #include "experiments/numerics/studies/trial_store.hpp"
 
+#include <spdlog/spdlog.h>
+
 #include <atomic>
-#include <cmath>
-#include <fstream>
 #include <mutex>
 #include <nlohmann/json.hpp>
 #include <set>
 #include <thread>
 
+#include "experiments/quantities/json_file.hpp"
 #include "experiments/runs/stop_signals.hpp"
 #include "solver/support/files.hpp"
 
 namespace slfb::studies {
 namespace {
 
-using nlohmann::json;
-
-json number(double value) { return std::isfinite(value) ? json(value) : json(nullptr); }
-double number(const json& value) { return value.is_null() ? std::nan("") : value.get<double>(); }
+using nlohmann::ordered_json;
 
 }  // namespace
 
@@ -26,29 +24,37 @@ std::filesystem::path TrialStore::file_of(const Trial& trial) const {
 }
 
 std::optional<TrialResult> TrialStore::find(const Trial& trial) const {
-  std::ifstream stream(file_of(trial));
-  if (!stream) return std::nullopt;
-  const json kept = json::parse(stream, nullptr, false);
-  if (kept.is_discarded()) return std::nullopt;
-  TrialResult result;
-  for (const auto& [name, value] : kept.at("values").items())
-    result.values[name] = {number(value.at("value")), number(value.at("error")), number(value.at("exact"))};
-  result.counts = kept.at("counts").get<std::map<std::string, double>>();
-  result.cpu_seconds = kept.at("cpu_seconds");
-  result.failure = kept.at("failure");
-  result.machine = kept.at("machine");
-  return result;
+  const auto file = file_of(trial);
+  if (!std::filesystem::exists(file)) return std::nullopt;
+  try {
+    return read_json(file, "a solved trial", [](const ordered_json& kept) {
+      TrialResult result;
+      for (const auto& [name, value] : kept.at("values").items())
+        result.values[name] = {number_or_nan(value.at("value")), number_or_nan(value.at("error")),
+                               number_or_nan(value.at("exact"))};
+      result.counts = kept.at("counts").get<std::map<std::string, double>>();
+      result.cpu_seconds = kept.at("cpu_seconds");
+      result.failure = kept.at("failure");
+      result.machine = kept.at("machine");
+      return result;
+    });
+  } catch (const std::runtime_error& error) {
+    spdlog::warn("solved again: {}", error.what());
+    return std::nullopt;
+  }
 }
 
 void TrialStore::keep(const Trial& trial, const TrialResult& result) const {
   const auto file = file_of(trial);
   std::filesystem::create_directories(file.parent_path());
-  json kept{{"problem", trial.problem},          {"settings", trial.settings}, {"replicate", trial.replicate},
-            {"counts", result.counts},           {"failure", result.failure},  {"machine", result.machine},
-            {"cpu_seconds", result.cpu_seconds}, {"values", json::object()}};
+  ordered_json kept{{"problem", trial.problem},          {"settings", trial.settings},
+                    {"replicate", trial.replicate},      {"counts", result.counts},
+                    {"failure", result.failure},         {"machine", result.machine},
+                    {"cpu_seconds", result.cpu_seconds}, {"values", ordered_json::object()}};
   for (const auto& [name, value] : result.values)
-    kept["values"][name] = {
-        {"value", number(value.value)}, {"error", number(value.error)}, {"exact", number(value.exact)}};
+    kept["values"][name] = {{"value", number_or_null(value.value)},
+                            {"error", number_or_null(value.error)},
+                            {"exact", number_or_null(value.exact)}};
   write_file(file, kept.dump(1) + "\n");
 }
 
@@ -58,6 +64,7 @@ bool solve_missing(const std::vector<Trial>& trials, const TrialStore& store, co
   for (const Trial& trial : trials)
     if (!store.find(trial) && hashes.insert(trial.problem + trial.hash()).second) missing.push_back(&trial);
   const StopSignals signals;
+  const WorkToSave trials_under_way;
   std::atomic<std::size_t> next{0}, done{0};
   std::mutex mutex;
   std::exception_ptr error;
