@@ -23,12 +23,7 @@ help:
 	@echo "make debug    all tests without optimisation; asan, tsan: with the sanitizers"
 
 figures: program
-	build/slfb frontier --set $(STUDIES)
-	build/slfb stability --set $(STUDIES)
-	build/slfb figures --profile $(PROFILE)
-	@if [ -z "$$CI" ] && [ -n "$$DISPLAY$$WAYLAND_DISPLAY" ] && command -v xdg-open >/dev/null; then \
-	  xdg-open build/report/index.html >/dev/null 2>&1 || true; \
-	fi
+	build/slfb figures --profile $(PROFILE) --studies $(STUDIES) --open
 
 pdf:
 	@.ci/install print

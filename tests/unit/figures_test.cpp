@@ -244,6 +244,28 @@ TEST(Gnuplot, AFailingScriptThrowsWithItsMessage) {
   }
 }
 
+TEST(Gnuplot, APictureIsDrawnAgainOnlyWhereItsScriptOrItsNumbersChange) {
+  const Folder folder;
+  const fs::path plot = folder.path() / "figure.gp", picture = folder.path() / "line.svg";
+  std::ofstream(plot) << "plot 'numbers.csv' skip 1 using 1:2 with lines notitle\n";
+  const auto draw = [&] { draw_plot("line", plot, {}, {}, folder.path(), {}, {"svg"}); };
+  write_csv({"numbers", {"a [-]", "b [-]"}, {{0.0, 1.0}, {1.0, 2.0}}}, folder.path());
+  draw();
+  std::ofstream(picture) << "as it was";
+  draw();
+  EXPECT_EQ(read(picture), "as it was");
+  write_csv({"numbers", {"a [-]", "b [-]"}, {{0.0, 1.0}, {1.0, 3.0}}}, folder.path());
+  draw();
+  EXPECT_NE(read(picture).find("<svg"), std::string::npos) << "other numbers";
+  std::ofstream(picture) << "as it was";
+  std::ofstream(plot) << "plot 'numbers.csv' skip 1 using 1:2 with points notitle\n";
+  draw();
+  EXPECT_NE(read(picture).find("<svg"), std::string::npos) << "another script";
+  fs::remove(picture);
+  draw();
+  EXPECT_TRUE(fs::exists(picture)) << "a picture that was removed";
+}
+
 TEST(Gnuplot, AnAbsentGnuplotThrowsAndSaysWhatToInstall) {
   const Folder folder;
   std::ofstream(folder.path() / "figure.gp") << "plot x\n";
