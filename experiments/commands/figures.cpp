@@ -190,8 +190,10 @@ int only_simulate(const Work& work, const Profile& profile, const std::vector<Ru
   const CampaignOutcome outcome = missing.empty() ? CampaignOutcome{} : run_campaign(missing, campaign);
   if (options.publish)  // also what an earlier call has simulated
     for (const RunSpec& spec : profile.runs) publish(work, profile, spec, options.out);
-  fmt::print("{} simulated, {} had been before, {} failed\n", outcome.finished, profile.runs.size() - missing.size(),
-             outcome.failed);
+  if (missing.empty())
+    fmt::print("nothing to simulate: every result exists\n");
+  else
+    fmt::print("{} simulated, {} failed\n", outcome.finished, outcome.failed);
   return outcome.exit_status();
 }
 

@@ -1,6 +1,7 @@
 #include "experiments/runs/progress_display.hpp"
 
 #include <fmt/format.h>
+#include <spdlog/spdlog.h>
 #include <sys/ioctl.h>
 #include <unistd.h>
 
@@ -37,7 +38,7 @@ std::string figures_of(const Progress& progress) {
 
 ProgressDisplay::ProgressDisplay(std::vector<Job> jobs, int side_by_side, bool enabled, std::string heading)
     : side_by_side_(static_cast<std::size_t>(std::max(1, side_by_side))),
-      enabled_(enabled),
+      enabled_(enabled && spdlog::should_log(spdlog::level::warn)),
       terminal_(isatty(STDERR_FILENO) != 0),
       heading_(std::move(heading)) {
   for (Job& job : jobs) entries_.emplace_back().job = std::move(job);

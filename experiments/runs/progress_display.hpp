@@ -19,8 +19,9 @@ class ProgressDisplay {
     double expected_cost = 1.0;  ///< in any unit common to all jobs; jobs not yet started count with it
   };
 
-  /// `enabled` = false: only messages. `side_by_side`: jobs that run at once, for the time left of all. `heading`: what
-  /// the jobs are, put before the line for all of them: "step 2 of 3, simulations".
+  /// `enabled` = false, or warnings switched off (spdlog): only messages. `side_by_side`: jobs that run at once, for
+  /// the time left of all. `heading`: what the jobs are, put before the line for all of them: "step 2 of 3,
+  /// simulations".
   ProgressDisplay(std::vector<Job> jobs, int side_by_side, bool enabled, std::string heading = "");
   ~ProgressDisplay();
   ProgressDisplay(const ProgressDisplay&) = delete;

@@ -54,12 +54,13 @@ void Recorder::write_snapshot() const {
   const auto folder = directory_ / "snapshots";
   std::filesystem::create_directories(folder);
   const double time = schedule_.fluidised_seconds();
-  io::write_particles_vtkhdf(folder / fmt::format("particles_{:08.3f}s.vtkhdf", time), model_.particles(), time);
+  io::write_particles_vtkhdf(io::snapshot_file(folder, "particles", time), model_.particles(), time);
+  io::write_snapshot_series(folder, "particles");
   const fluid::Liquid& liquid = model_.liquid();
-  if (liquid.two_way())
-    io::write_liquid_vtkhdf(folder / fmt::format("liquid_{:08.3f}s.vtkhdf", time), liquid.grid(),
-                            model_.coupling().void_fraction(), model_.coupling().cell_velocity(), liquid.pressure(),
-                            time);
+  if (!liquid.two_way()) return;
+  io::write_liquid_vtkhdf(io::snapshot_file(folder, "liquid", time), liquid.grid(), model_.coupling().void_fraction(),
+                          model_.coupling().cell_velocity(), liquid.pressure(), time);
+  io::write_snapshot_series(folder, "liquid");
 }
 
 void Recorder::exchange(io::StateGroup& state) {
