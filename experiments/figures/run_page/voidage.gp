@@ -2,6 +2,7 @@
 set xlabel 'x [m]'
 set ylabel 'z [m]'
 set size ratio -1
+set xtics 0.02
 set cbrange [0.3:1]
 set cblabel 'voidage [-]'
 unset grid
