@@ -7,11 +7,12 @@ STUDIES ?= quick
 WARNINGS = $(if $(CI),-DCMAKE_COMPILE_WARNING_AS_ERROR=ON)
 SOURCES = git ls-files --cached --others --exclude-standard '*.cpp' '*.hpp'
 
-.PHONY: help figures pdf test program build install format layout lint sanitize parts debug asan tsan
+.PHONY: help figures pdf man test program build install format layout lint sanitize parts debug asan tsan
 
 help:
-	@echo "make figures  the figures of the paper and the report (PROFILE, STUDIES = quick or full)"
+	@echo "make figures  the report from committed results, then simulations, then charts of methods (PROFILE, STUDIES = quick or full)"
 	@echo "make pdf      the report as build/report/report.pdf, after make figures"
+	@echo "make man      manual page and shell completion, build/slfb.1 and build/slfb.bash"
 	@echo "make test     all tests"
 	@echo "make program  build/slfb alone"
 	@echo "make build    build/slfb and the tests"
@@ -24,16 +25,16 @@ help:
 	@echo "make debug    all tests without optimisation; asan, tsan: with the sanitizers"
 
 figures: program
-	build/slfb frontier --set $(STUDIES)
-	build/slfb stability --set $(STUDIES)
-	build/slfb figures --profile $(PROFILE)
-	@if [ -z "$$CI" ] && [ -n "$$DISPLAY$$WAYLAND_DISPLAY" ] && command -v xdg-open >/dev/null; then \
-	  xdg-open build/report/index.html >/dev/null 2>&1 || true; \
-	fi
+	build/slfb figures --profile $(PROFILE) --studies $(STUDIES) --open
 
 pdf:
 	@.ci/install print
 	weasyprint --quiet build/report/print.html build/report/report.pdf
+
+man: program
+	@.ci/install tools
+	cmake --preset release
+	cmake --build --preset release --target man
 
 test: build
 	ctest --preset release --parallel $(JOBS)

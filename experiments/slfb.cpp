@@ -1,9 +1,11 @@
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <spdlog/sinks/stdout_color_sinks.h>
 #include <spdlog/spdlog.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <cstdlib>
 #include <exception>
 #include <string>
 #include <vector>
@@ -11,6 +13,8 @@
 #include "experiments/commands/commands.hpp"
 #include "experiments/work/work.hpp"
 #include "solver/scene/scene.hpp"
+#include "solver/support/close_names.hpp"
+#include "solver/support/commit.hpp"
 
 namespace {
 
@@ -33,37 +37,82 @@ constexpr const char* examples = R"(Examples:
   slfb run experiments/scenes/fluidised_box.toml --dry-run   what one scene would cost
   slfb law gidaspow-1994 --voidage 0.5 --re 100      one law at one point
   slfb compare --drag gidaspow-1994,mine.cpp         your own law beside the literature, in formulas and simulations
+  slfb show experiments/scenes/fluidised_box.toml    what a finished run holds, drawn on one page
   slfb list                                          what there is
 
-`slfb COMMAND --help` explains a command.)";
+`slfb COMMAND --help` or `slfb help COMMAND` explains a command.)";
+
+std::vector<std::string> command_names(const CLI::App& app) {
+  std::vector<std::string> names;
+  for (const CLI::App* command : app.get_subcommands({})) names.push_back(command->get_name());
+  return names;
+}
 
 /// The message for a first argument that is neither an option nor a command; empty if it is either.
-std::string unknown_command(const CLI::App& app, int argc, char** argv) {
-  const std::string first = argc > 1 ? argv[1] : "-";
-  if (first.starts_with('-')) return "";
-  std::string known;
-  for (const CLI::App* command : app.get_subcommands({})) {
-    if (command->check_name(first)) return "";
-    known += (known.empty() ? "" : ", ") + command->get_name();
+std::string unknown_command(const CLI::App& app, const std::vector<std::string>& words) {
+  if (words.empty() || words.front().starts_with('-')) return "";
+  const auto names = command_names(app);
+  if (std::ranges::find(names, words.front()) != names.end()) return "";
+  return fmt::format("there is no command \"{}\"; did you mean {}? The commands are {}", words.front(),
+                     slfb::close_names(words.front(), names).front(), fmt::join(names, ", "));
+}
+
+/// The nearest options to those that the command does not know, as a sentence; empty where all are known.
+std::string suggestions(const CLI::App& app, const std::vector<std::string>& words) {
+  std::vector<const CLI::App*> asked{&app};
+  for (const CLI::App* command : app.get_subcommands({}))
+    if (!words.empty() && command->get_name() == words.front()) asked.push_back(command);
+  std::vector<std::string> known;
+  for (const CLI::App* of : asked)
+    for (const CLI::Option* option : of->get_options())
+      for (const std::string& name : option->get_lnames()) known.push_back("--" + name);
+  std::string text;
+  for (const std::string& word : words) {
+    const std::string name = word.substr(0, word.find('='));
+    if (name.starts_with("--") && name.size() > 2 && std::ranges::find(known, name) == known.end())
+      text += fmt::format(" Instead of {}, did you mean {}?", name, slfb::close_names(name, known).front());
   }
-  return fmt::format("there is no command \"{}\"; the commands are {}", first, known);
+  return text;
+}
+
+/// Messages: warnings and progress, only errors with -q, more with -v. They have colours on a terminal, unless NO_COLOR
+/// is set (no-color.org).
+void set_up_messages() {
+  const char* no_color = std::getenv("NO_COLOR");
+  const auto mode =
+      no_color != nullptr && *no_color != '\0' ? spdlog::color_mode::never : spdlog::color_mode::automatic;
+  // Standard output belongs to results.
+  spdlog::set_default_logger(spdlog::stderr_color_mt("slfb", mode));
+  spdlog::set_pattern("slfb: %^%l%$: %v");
+  spdlog::set_level(spdlog::level::warn);
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
-  // Standard output belongs to results.
-  spdlog::set_default_logger(spdlog::stderr_color_mt("slfb"));
-  spdlog::set_pattern("slfb: %l: %v");
-  spdlog::set_level(spdlog::level::warn);
+  set_up_messages();
+  std::vector<std::string> words(argv + 1, argv + argc);
+  // "slfb" and "slfb help COMMAND" are asked in good faith: they get the help.
+  if (words.empty()) words = {"--help"};
+  if (words.front() == "help") {
+    words.erase(words.begin());
+    if (words.empty() || words.front() != "--help") words.resize(words.empty() ? 0 : 1);
+    words.emplace_back("--help");
+  }
 
   CLI::App app(introduction(), "slfb");
-  app.set_version_flag("--version", fmt::format("slfb {} (numerics version {})", SLFB_VERSION, slfb::numerics_version));
+  app.set_version_flag("--version", fmt::format("slfb {}\ncommit {}, numerics version {}", SLFB_VERSION,
+                                                slfb::suite_commit(), slfb::numerics_version));
   app.require_subcommand(1);
   app.footer(examples);
-  app.failure_message([](const CLI::App*, const CLI::Error& error) {
-    return fmt::format("slfb: error: {}\nRun with --help for more information.\n", error.what());
+  app.failure_message([&](const CLI::App*, const CLI::Error& error) {
+    return fmt::format("slfb: error: {}{}\nRun with --help for more information.\n", error.what(),
+                       suggestions(app, words));
   });
+  app.add_flag_callback(
+      "-q,--quiet", [] { spdlog::set_level(spdlog::level::err); }, "no warnings, no progress");
+  app.add_flag_callback(
+      "-v,--verbose", [] { spdlog::set_level(spdlog::level::info); }, "say more of what is done");
   try {
     slfb::add_figures_command(app);
     slfb::add_check_command(app);
@@ -75,12 +124,18 @@ int main(int argc, char** argv) {
     slfb::add_laws_command(app);
     slfb::add_law_command(app);
     slfb::add_bench_command(app);
+    slfb::add_campaign_command(app);
+    slfb::add_show_command(app);
+    slfb::add_movie_command(app);
     slfb::add_list_command(app);
-    if (const std::string message = unknown_command(app, argc, argv); !message.empty()) {
+    slfb::add_completion_command(app);
+    for (CLI::App* command : app.get_subcommands({})) command->fallthrough();  // -q and -v behind a command
+    if (const std::string message = unknown_command(app, words); !message.empty()) {
       fmt::print(stderr, "slfb: error: {}\n", message);
       return usage_status;
     }
-    app.parse(argc, argv);
+    std::ranges::reverse(words);  // what CLI11 expects
+    app.parse(words);
     return 0;
   } catch (const CLI::RuntimeError& status) {
     return status.get_exit_code();

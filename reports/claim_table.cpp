@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
+#include <map>
 #include <stdexcept>
 
 #include "reports/html.hpp"
@@ -30,7 +31,7 @@ std::string paper_side(const ClaimRow& claim) {
   return claim.paper_in_words ? text : with_unit(text, claim.unit);
 }
 
-std::string row_html(const ClaimRow& claim) {
+std::string row_html(const ClaimRow& claim, const std::string& claims_page) {
   std::string ours, interval, deviation;
   if (claim.ours) ours = with_unit(readable_number(*claim.ours), claim.unit);
   if (claim.interval && claim.interval->second > claim.interval->first)
@@ -42,7 +43,7 @@ std::string row_html(const ClaimRow& claim) {
     band = fmt::format("<span class=\"id\">band <span class=\"number\">{}</span></span>", band_text(*claim.band));
   const std::string gate = claim.gate == Gate::broken ? " <span class=\"badge not-reproduced\">gate broken</span>" : "";
   return fmt::format(
-      "<tr id=\"{0}\" data-verdict=\"{1}\" data-figure=\"{2}\"><td class=\"lead\">{3}<span class=\"id\">{0} · "
+      "<tr id=\"{0}\" data-verdict=\"{1}\" data-figure=\"{2}\"><td class=\"lead\">{3}<span class=\"id\">{13} · "
       "{4}</span>"
       "</td><td data-label=\"Verdict\"><div><span class=\"badge {1}\">{5} {6}</span>{7}</div></td><td "
       "data-label=\"Paper\">"
@@ -56,7 +57,9 @@ std::string row_html(const ClaimRow& claim) {
           : fmt::format("<td data-label=\"Ours\"><div><span class=\"number\">{}</span>{}</div></td>", ours, interval),
       deviation.empty() ? "<td data-label=\"Deviation\"></td>"
                         : fmt::format("<td data-label=\"Deviation\"><span class=\"number\">{}</span></td>", deviation),
-      prose_html(claim.reason));
+      prose_html(claim.reason),
+      claims_page.empty() ? escape_html(claim.id)
+                          : fmt::format("<a href=\"{0}#{1}\">{1}</a>", claims_page, escape_html(claim.id)));
 }
 
 }  // namespace
@@ -127,14 +130,23 @@ std::string with_unit(const std::string& text, const std::string& unit) {
   return unit == "-" || unit.empty() ? text : text + " " + escape_html(unit);
 }
 
-std::string claim_table(const std::vector<const ClaimRow*>& claims, const std::string& body_id) {
-  std::string html = fmt::format(
+std::string claim_table(const std::vector<const ClaimRow*>& claims, const std::string& claims_page) {
+  std::string html =
       "<div class=\"card scroll\"><table class=\"stack "
       "claims\">\n<thead><tr><th>Claim</th><th>Verdict</th><th>Paper</th>"
-      "<th>Ours</th><th>Deviation</th><th>Reason</th></tr></thead>\n<tbody{}>\n",
-      body_id.empty() ? "" : fmt::format(" id=\"{}\"", body_id));
-  for (const ClaimRow* claim : claims) html += row_html(*claim);
+      "<th>Ours</th><th>Deviation</th><th>Reason</th></tr></thead>\n<tbody>\n";
+  for (const ClaimRow* claim : claims) html += row_html(*claim, claims_page);
   return html + "</tbody></table></div>\n";
+}
+
+std::string verdict_badges(const std::vector<const ClaimRow*>& claims) {
+  std::map<Verdict, std::size_t> counted;
+  for (const ClaimRow* claim : claims) ++counted[claim->verdict];
+  std::string html;
+  for (const auto& [verdict, number] : counted)
+    html +=
+        fmt::format("<span class=\"badge {}\">{} {}</span> ", verdict_class(verdict), number, verdict_words(verdict));
+  return html;
 }
 
 }  // namespace slfb::reports

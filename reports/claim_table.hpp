@@ -31,7 +31,10 @@ std::string plural(std::size_t count, const std::string& noun);
 /// `text` with its unit, unless that is "-" or empty.
 std::string with_unit(const std::string& text, const std::string& unit);
 
-/// The table of claims; `body_id` names its body for scripts and may be empty.
-std::string claim_table(const std::vector<const ClaimRow*>& claims, const std::string& body_id);
+/// The table of claims. `claims_page`: page with all of them, to which each id leads; empty on that page itself.
+std::string claim_table(const std::vector<const ClaimRow*>& claims, const std::string& claims_page = "");
+
+/// How many of the claims have which verdict, as badges.
+std::string verdict_badges(const std::vector<const ClaimRow*>& claims);
 
 }  // namespace slfb::reports

@@ -3,12 +3,15 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <map>
+#include <optional>
 #include <regex>
 #include <set>
+#include <string_view>
+#include <utility>
 
 #include "reports/claim_table.hpp"
 #include "reports/html.hpp"
+#include "reports/navigation.hpp"
 #include "solver/support/files.hpp"
 
 namespace slfb::reports {
@@ -16,14 +19,25 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Attributes width and height of a picture, so that the page does not move while it loads. gnuplot writes its size as
-/// viewBox="0 0 WIDTH HEIGHT".
-std::string image_size(const fs::path& svg) {
+/// Width and height of a picture [pixel]; gnuplot writes them as viewBox="0 0 WIDTH HEIGHT".
+std::optional<std::pair<int, int>> size_of(const fs::path& svg) {
   std::smatch match;
   const std::string head = read_file(svg).substr(0, 1000);
   static const std::regex view_box("viewBox=\"0 0 ([0-9]+) ([0-9]+)\"");
-  if (!std::regex_search(head, match, view_box)) return "";
-  return fmt::format(" width=\"{}\" height=\"{}\"", match.str(1), match.str(2));
+  if (!std::regex_search(head, match, view_box)) return std::nullopt;
+  return std::pair{std::stoi(match.str(1)), std::stoi(match.str(2))};
+}
+
+/// Attributes width and height of a picture, so that the page does not move while it loads.
+std::string image_size(const fs::path& svg) {
+  const auto size = size_of(svg);
+  return size ? fmt::format(" width=\"{}\" height=\"{}\"", size->first, size->second) : "";
+}
+
+/// Whether a picture would be too small to read on a phone if it were as wide as the screen: there it scrolls.
+bool is_wide(const fs::path& svg) {
+  const auto size = size_of(svg);
+  return size && size->first > 700;
 }
 
 /// "Figure 5"; for studies of ours their place beside the paper.
@@ -36,16 +50,6 @@ std::vector<const ClaimRow*> claims_of(const ReportContents& contents, const std
   for (const ClaimRow& claim : contents.claims)
     if (claim.place == id) claims.push_back(&claim);
   return claims;
-}
-
-std::string badges(const std::vector<const ClaimRow*>& claims) {
-  std::map<Verdict, std::size_t> counted;
-  for (const ClaimRow* claim : claims) ++counted[claim->verdict];
-  std::string html;
-  for (const auto& [verdict, number] : counted)
-    html +=
-        fmt::format("<span class=\"badge {}\">{} {}</span> ", verdict_class(verdict), number, verdict_words(verdict));
-  return html;
 }
 
 /// Rows of "what does not add up" whose source names this figure or table.
@@ -96,23 +100,70 @@ std::string simulations(const ReportContents& contents, const FigurePage& figure
          rows + "</tbody></table></div>\n";
 }
 
-std::string downloads(const FigurePage& figure) {
+/// \param files where the files of the figure lie, from the page
+std::string downloads(const FigurePage& figure, const std::string& files) {
   std::string html = "<div class=\"files\">";
   for (const char* format : {"svg", "png", "pdf", "gp"})
-    html += fmt::format("<a href=\"{0}.{1}\">{1}</a>", escape_html(figure.id), format);
+    html += fmt::format("<a href=\"{0}{1}.{2}\">{2}</a>", files, escape_html(figure.id), format);
   html += "</div>\n";
   if (figure.data_files.empty()) return html;
   html += fmt::format("<details><summary>{} of data (CSV)</summary><div class=\"files\">",
                       plural(figure.data_files.size(), "table"));
-  for (const std::string& file : figure.data_files) html += fmt::format("<a href=\"{0}\">{0}</a>", escape_html(file));
+  for (const std::string& file : figure.data_files)
+    html += fmt::format("<a href=\"{0}{1}\">{1}</a>", files, escape_html(file));
   return html + "</div></details>\n";
 }
 
+/// A sentence "HERE, not THERE." as its two sides.
+std::optional<std::pair<std::string, std::string>> two_sides(const std::string& sentence) {
+  constexpr std::string_view middle = ", not ";
+  const std::size_t found = sentence.find(middle);
+  if (found == std::string::npos || sentence.find(middle, found + 1) != std::string::npos || !sentence.ends_with('.') ||
+      sentence.find(". ") != std::string::npos)
+    return std::nullopt;
+  const std::size_t there = found + middle.size();
+  return std::pair{sentence.substr(0, found), sentence.substr(there, sentence.size() - there - 1)};
+}
+
+/// What sets the simulations apart from those of the source, in two columns, and what else to know of them.
 std::string notes(const FigurePage& figure) {
-  if (figure.notes.empty()) return "";
-  std::string html = "<details><summary>What to know of the simulations behind it</summary><ul>";
-  for (const std::string& note : figure.notes) html += "<li>" + prose_html(note) + "</li>";
-  return html + "</ul></details>\n";
+  std::vector<std::vector<std::string>> rows;
+  std::string others;
+  for (const std::string& note : figure.notes) {
+    if (const auto sides = two_sides(note))
+      rows.push_back({prose_html(sides->second), prose_html(sides->first)});
+    else
+      others += "<li>" + prose_html(note) + "</li>";
+  }
+  std::string html;
+  if (!rows.empty())
+    html += "<h2>What sets the simulations apart from the paper's</h2>\n" + table_html({"Paper", "Here"}, rows);
+  if (!others.empty()) html += "<details><summary>What else to know of it</summary><ul>" + others + "</ul></details>\n";
+  return html;
+}
+
+/// Links to the pages of the laws that the figure draws or that its simulations use.
+std::string laws(const FigurePage& figure) {
+  std::string html;
+  for (const std::string& law : figure.laws)
+    html += fmt::format("{0}<a href=\"../laws/{1}.html\">{1}</a>", html.empty() ? "" : " · ", escape_html(law));
+  return html.empty() ? "" : "<h2>Laws behind it</h2>\n<p>" + html + "</p>\n";
+}
+
+/// The picture of a figure, or its table.
+std::string shown(const FigurePage& figure, const fs::path& folder, const std::string& files, const char* format) {
+  if (!figure.table.rows.empty()) {
+    std::vector<std::string> headings;
+    for (const std::string& heading : figure.table.headings) headings.push_back(prose_html(heading));
+    std::vector<std::vector<std::string>> rows = figure.table.rows;
+    for (auto& row : rows)
+      for (std::string& cell : row) cell = prose_html(cell);
+    return table_html(headings, rows);
+  }
+  return fmt::format(
+      "<div class=\"picture{4}\"><a href=\"{0}{1}.svg\"><img src=\"{0}{1}.{5}\" alt=\"{2}\"{3} /></a></div>", files,
+      escape_html(figure.id), escape_html(figure.caption), image_size(folder / (figure.id + ".svg")),
+      is_wide(folder / (figure.id + ".svg")) ? " broad" : "", format);
 }
 
 /// Links to the pages before and after the figure with this position among all.
@@ -141,21 +192,20 @@ std::string findings(const FigurePage& figure) {
   return "<h2>What the numbers say</h2>\n<div class=\"prose\">" + markdown_html(figure.findings) + "</div>\n";
 }
 
-/// Picture, caption, claims, findings, `measured`, doubts, simulations and commands of one figure.
+/// Picture, caption, claims, findings, `measured`, doubts, simulations and commands of one figure. \param files where
+/// its files lie, from the page \param format of the picture
 std::string body(const ReportContents& contents, const FigurePage& figure, const std::string& measured,
-                 const fs::path& folder) {
+                 const fs::path& folder, const std::string& files, const char* format) {
   const auto claims = claims_of(contents, figure.id);
-  std::string html = fmt::format(
-      "<article class=\"card figure wide\">\n<div class=\"picture\"><a href=\"{0}.svg\"><img src=\"{0}.svg\" "
-      "alt=\"{1}\"{2} /></a></div>\n<div class=\"words\"><p>{3}</p>\n{4}{5}</div>\n</article>\n",
-      escape_html(figure.id), escape_html(figure.title), image_size(folder / (figure.id + ".svg")),
-      prose_html(figure.caption), downloads(figure), notes(figure));
+  std::string html =
+      fmt::format("<article class=\"card figure wide\">\n{}\n<div class=\"words\"><p>{}</p>\n{}</div>\n</article>\n",
+                  shown(figure, folder, files, format), prose_html(figure.caption), downloads(figure, files));
   if (!claims.empty())
     html +=
-        "<h2>What the paper states, and ours</h2>\n" + claim_table(claims, "") +
+        "<h2>What the paper states, and ours</h2>\n" + claim_table(claims, "../claims.html") +
         "<p class=\"soft\">A statement is reproduced when the whole 95 % interval of our number lies in the band. The "
         "<a href=\"../claims.html\">table of all claims</a> says how verdicts are made.</p>\n";
-  html += findings(figure) + measured + doubts(contents, figure.id);
+  html += findings(figure) + notes(figure) + measured + doubts(contents, figure.id) + laws(figure);
   html += "<div class=\"on-screen\">\n" + simulations(contents, figure, folder);
   return html +
          fmt::format(
@@ -168,17 +218,26 @@ std::string body(const ReportContents& contents, const FigurePage& figure, const
 
 std::string heading(const ReportContents& contents, const FigurePage& figure) {
   return fmt::format("<span class=\"label\">{}</span><h1>{}</h1>\n<p>{}</p>\n", label_of(figure.id),
-                     prose_html(figure.title), badges(claims_of(contents, figure.id)));
+                     prose_html(figure.title), verdict_badges(claims_of(contents, figure.id)));
+}
+
+/// What the navigation calls the page; empty where it does not name it.
+std::string featured_label(const ReportContents& contents, const std::string& id) {
+  for (const FeaturedPage& page : contents.texts.featured)
+    if (page.figure == id) return escape_html(page.label);
+  return "";
 }
 
 std::string page(const ReportContents& contents, std::size_t position, const fs::path& folder) {
   const FigurePage& figure = contents.figures[position];
   return html_page(
       fmt::format("{}: {}", label_of(figure.id), prose_html(figure.title)),
-      fmt::format("<header class=\"masthead slim\"><div>\n{}</div></header>\n<nav><div>{}</div></nav>\n<main>\n{}"
-                  "<footer>slfb {}</footer>\n</main>\n",
-                  heading(contents, figure), neighbours(contents, position),
-                  body(contents, figure, measurement(figure), folder), escape_html(SLFB_VERSION)));
+      fmt::format(
+          "<header class=\"masthead slim\"><div>\n{}</div></header>\n{}<main>\n<p class=\"neighbours\">{}</p>\n{}"
+          "<footer>slfb {}</footer>\n</main>\n",
+          heading(contents, figure), navigation(contents, featured_label(contents, figure.id), "../"),
+          neighbours(contents, position), body(contents, figure, measurement(figure), folder, "", "svg"),
+          escape_html(SLFB_VERSION)));
 }
 
 }  // namespace
@@ -190,10 +249,11 @@ std::string figure_gallery(const ReportContents& contents, const fs::path& folde
     html += fmt::format(
         "<a class=\"card tile\" id=\"{0}\" href=\"figures/{0}.html\"><span class=\"thumb\"><img "
         "src=\"figures/{0}.svg\" "
-        "alt=\"\"{1} loading=\"lazy\" /></span><span class=\"words\"><span class=\"label\">{2}</span><b>{3}</b><span "
-        "class=\"badges\">{4}</span></span></a>\n",
+        "alt=\"{3}\"{1} loading=\"lazy\" /></span><span class=\"words\"><span "
+        "class=\"label\">{2}</span><b>{4}</b><span "
+        "class=\"badges\">{5}</span></span></a>\n",
         escape_html(figure.id), image_size(folder / (figure.id + ".svg")), label_of(figure.id),
-        prose_html(figure.title), badges(claims_of(contents, figure.id)));
+        escape_html(figure.caption), prose_html(figure.title), verdict_badges(claims_of(contents, figure.id)));
   return html + "</div>\n</section>\n";
 }
 
@@ -204,11 +264,11 @@ std::string figures_to_print(const ReportContents& contents, const fs::path& fol
     std::string measured = measurement(figure);
     if (!texts.insert(measured).second) measured.clear();
     html += fmt::format("<section class=\"sheet\" id=\"{}\">\n{}{}</section>\n", escape_html(figure.id),
-                        heading(contents, figure), body(contents, figure, measured, folder));
+                        heading(contents, figure),
+                        // Not every printer of pages can draw gnuplot's SVG.
+                        body(contents, figure, measured, folder, "figures/", "png"));
   }
-  // Not every printer of pages can draw gnuplot's SVG.
-  static const std::regex picture("src=\"([^\"]+)\\.svg\"");
-  return std::regex_replace(html, picture, "src=\"figures/$1.png\"");
+  return html;
 }
 
 void write_figure_pages(const ReportContents& contents, const fs::path& folder) {

@@ -1,9 +1,12 @@
 #include "reports/gnuplot.hpp"
 
 #include <fmt/format.h>
+#include <xxhash.h>
 
 #include <algorithm>
 #include <cmath>
+#include <future>
+#include <regex>
 #include <sstream>
 #include <stdexcept>
 #include <string_view>
@@ -54,6 +57,25 @@ std::string with_loaded_files(const fs::path& plot) {
       text += line + "\n";
   }
   return text;
+}
+
+/// Of a script and the tables that it reads: what its pictures depend on.
+std::string fingerprint(const std::string& script, const fs::path& folder) {
+  static const std::regex table("'([^'/]+\\.csv)'");
+  std::string text = script;
+  for (std::sregex_iterator found(script.begin(), script.end(), table), end; found != end; ++found)
+    if (const fs::path file = folder / (*found)[1].str(); fs::exists(file)) text += read_file(file);
+  return fmt::format("{:016x}\n", XXH3_64bits(text.data(), text.size()));
+}
+
+/// Whether the pictures were drawn from this very script and these tables.
+bool is_drawn(const std::string& id, const fs::path& folder, const std::string& drawn_from,
+              const std::vector<std::string>& formats) {
+  const fs::path note = folder / (id + ".drawn");
+  return fs::exists(note) && read_file(note) == drawn_from && std::ranges::all_of(formats, [&](const auto& format) {
+           std::error_code missing;
+           return fs::file_size(folder / (id + "." + format), missing) > 0 && !missing;
+         });
 }
 
 /// The script draws itself once per format: loaded without `format` it loads itself for each, then leaves.
@@ -139,20 +161,34 @@ void draw_plot(const std::string& id, const fs::path& plot, const PlotValues& va
   const std::string style = read_file(source_folder() / "reports" / "style.gp");
   const std::string script = id + ".gp";
   const std::string size = fmt::format("width = {}.0\nheight = {}.0\n", canvas.width, canvas.height);
-  write_file(folder / script, head + "\n" + style + "\n" + size + values.commands() + "\n" +
-                                  (frame.empty() ? "" : with_loaded_files(frame)) + with_loaded_files(plot) +
-                                  "unset output\n");
-  for (const std::string& format : formats) fs::remove(folder / (id + "." + format));
-  const auto [message, status] = run_program({"gnuplot", script}, folder, "apt-get install gnuplot-nox");
-  if (status != 0)
-    throw std::runtime_error(
-        fmt::format("gnuplot failed on {} (exit status {}):\n{}", (folder / script).string(), status, message));
+  const std::string text = head + "\n" + style + "\n" + size + values.commands() + "\n" +
+                           (frame.empty() ? "" : with_loaded_files(frame)) + with_loaded_files(plot) + "unset output\n";
+  write_file(folder / script, text);
+  const std::string drawn_from = fingerprint(text, folder);
+  if (is_drawn(id, folder, drawn_from, formats)) return;
+  fs::remove(folder / (id + ".drawn"));
+  std::vector<std::future<ProgramOutcome>> drawings;
   for (const std::string& format : formats) {
-    const fs::path picture = folder / (id + "." + format);
+    fs::remove(folder / (id + "." + format));
+    drawings.push_back(std::async(std::launch::async, [&folder, &script, format] {
+      return run_program({"gnuplot", "-e", fmt::format("format = '{}'", format), script}, folder,
+                         "apt-get install gnuplot-nox");
+    }));
+  }
+  std::vector<ProgramOutcome> outcomes;
+  for (auto& drawing : drawings) drawing.wait();
+  for (auto& drawing : drawings) outcomes.push_back(drawing.get());
+  for (std::size_t i = 0; i < formats.size(); ++i) {
+    const auto& [message, status] = outcomes[i];
+    if (status != 0)
+      throw std::runtime_error(
+          fmt::format("gnuplot failed on {} (exit status {}):\n{}", (folder / script).string(), status, message));
+    const fs::path picture = folder / (id + "." + formats[i]);
     std::error_code missing;
     if (fs::file_size(picture, missing) == 0 || missing)
       throw std::runtime_error(fmt::format("gnuplot left no {}:\n{}", picture.string(), message));
   }
+  write_file(folder / (id + ".drawn"), drawn_from);
 }
 
 }  // namespace slfb

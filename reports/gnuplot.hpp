@@ -55,9 +55,10 @@ class PlotValues {
 /// the values, then the text of `plot`. A line "load 'FILE'" of it becomes that file, named from the folder of `plot`:
 /// what several plots share. Runs ID.gp in `folder`, which leaves ID.svg, ID.png and ID.pdf, or those of `formats`.
 /// ID.gp names its data without a folder, so that `gnuplot ID.gp` beside the CSV files redraws the figure anywhere.
-/// Throws std::runtime_error with gnuplot's own message when gnuplot is missing, fails, or leaves a picture out.
-/// `frame`:
-/// a gnuplot file that comes between the values and the plot, for what frames of figures have in common.
+/// The formats are drawn at the same time. ID.drawn notes what the pictures were drawn from: where script and tables
+/// are still the same, nothing is drawn. Throws std::runtime_error with gnuplot's own message when gnuplot is missing,
+/// fails, or leaves a picture out. `frame`: a gnuplot file that comes between the values and the plot, for what frames
+/// of figures have in common.
 void draw_plot(const std::string& id, const std::filesystem::path& plot, const PlotValues& values, const Canvas& canvas,
                const std::filesystem::path& folder, const std::filesystem::path& frame = {},
                const std::vector<std::string>& formats = {"svg", "png", "pdf"});

@@ -1,10 +1,12 @@
-// Filters of the claims table; without scripts the whole table is shown.
+// Filters of the claims, group by group; without scripts all groups are there to be opened.
 document.documentElement.classList.remove('no-script');
 (function () {
   const buttons = Array.from(document.querySelectorAll('.filters button'));
   const select = document.querySelector('.filters select');
-  const rows = Array.from(document.querySelectorAll('#claim-rows tr'));
+  const groups = Array.from(document.querySelectorAll('details.group'));
+  const rows = Array.from(document.querySelectorAll('tr[data-verdict]'));
   const shown = document.querySelector('#claims-shown');
+  const wide = window.matchMedia('(min-width: 860px)').matches;
   let verdict = '';
   function apply() {
     let count = 0;
@@ -14,6 +16,10 @@ document.documentElement.classList.remove('no-script');
       row.hidden = !matches;
       count += matches ? 1 : 0;
     }
+    for (const group of groups) {
+      group.hidden = group.querySelector('tr[data-verdict]:not([hidden])') === null;
+      group.open = wide || select.value !== '';
+    }
     for (const button of buttons) button.setAttribute('aria-pressed', String(button.value === verdict));
     shown.textContent = count + ' of ' + rows.length + ' claims';
   }
@@ -21,14 +27,19 @@ document.documentElement.classList.remove('no-script');
     button.addEventListener('click', () => { verdict = button.value; apply(); });
   }
   select.addEventListener('change', apply);
-  // A link to one claim must find its row, whatever is filtered.
-  window.addEventListener('hashchange', () => {
+  // A link to one claim must find its row, whatever is filtered or closed.
+  function show() {
     const row = document.getElementById(decodeURIComponent(location.hash.slice(1)));
-    if (row === null || row.hidden === false) return;
-    verdict = '';
-    select.value = '';
-    apply();
+    if (row === null) return;
+    if (row.hidden) {
+      verdict = '';
+      select.value = '';
+      apply();
+    }
+    row.closest('details').open = true;
     row.scrollIntoView();
-  });
+  }
+  window.addEventListener('hashchange', show);
   apply();
+  show();
 })();

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <filesystem>
 #include <optional>
@@ -29,12 +30,19 @@ struct ClaimRow {
   std::string paper;                              ///< the statement: "0.0424", "at most 9", "increasing"
   bool paper_in_words = false;                    ///< true: no unit stands behind the statement
   std::optional<std::pair<double, double>> band;  ///< inside: reproduced; ±infinity for an open side
+  std::optional<double> paper_number;             ///< where the statement is that a quantity equals a number
   std::optional<double> ours;
   std::optional<std::pair<double, double>> interval;  ///< 95 %, of `ours`
   std::optional<double> deviation;                    ///< signed, relative: 0.05 is 5 % above
   Verdict verdict = Verdict::not_decidable;
   Gate gate = Gate::none;
   std::string reason;  ///< one sentence behind the verdict or the broken gate
+};
+
+/// A table of texts; every row has one per heading.
+struct ShownTable {
+  std::vector<std::string> headings;
+  std::vector<std::vector<std::string>> rows;
 };
 
 /// One figure or table, which has a page of its own.
@@ -44,10 +52,43 @@ struct FigurePage {
   std::string caption;                  ///< what is shown, and what is not known
   std::string readme;                   ///< markdown: how it is measured; "" leaves the section out
   std::vector<std::string> data_files;  ///< names of its CSV files, which lie beside the pictures
-  std::vector<std::string> notes;       ///< what to know of the simulations behind it
-  std::vector<std::string> run_keys;    ///< RunRow::key of the simulations that it draws
-  std::string options;                  ///< of `slfb figures ID` to make it again: "--no-run", "--profile quick"
-  std::string findings = {};            ///< markdown: what its numbers say; "" leaves the section out
+  /// What to know of the simulations behind it. Those of the form "HERE, not THERE." become rows of two columns.
+  std::vector<std::string> notes;
+  ShownTable table;                   ///< shown instead of the picture, unless it is empty
+  std::vector<std::string> run_keys;  ///< RunRow::key of the simulations that it draws
+  std::string options;                ///< of `slfb figures ID` to make it again: "--no-run", "--profile quick"
+  std::vector<std::string> laws;      ///< names of the laws that it draws or that its simulations use
+  std::string findings = {};          ///< markdown: what its numbers say; "" leaves the section out
+};
+
+/// One sentence of what was found, with the claims that carry it.
+struct FindingRow {
+  struct Claim {
+    std::string id;
+    Verdict stated;  ///< the verdict that the sentence was written for
+    Verdict now;
+  };
+  std::string text;    ///< plain, its numbers filled in
+  std::string figure;  ///< FigurePage::id
+  std::vector<Claim> claims;
+
+  /// Whether every claim still has the verdict that the sentence was written for.
+  [[nodiscard]] bool holds() const {
+    return std::ranges::all_of(claims, [](const Claim& claim) { return claim.stated == claim.now; });
+  }
+};
+
+/// Who computed what, and with what.
+struct Certificate {
+  std::string commit;
+  std::string machine;
+  std::string system;                                         ///< the operating system
+  std::vector<std::pair<std::string, std::string>> packages;  ///< name and version of each that the suite is built on
+};
+
+/// A data set of a result file.
+struct DataSetRow {
+  std::string path, unit, description;
 };
 
 /// One simulation behind the report.
@@ -61,6 +102,7 @@ struct RunRow {
   double wall_seconds = 0.0;
   int threads = 1;
   std::string machine, date;
+  std::string commit;          ///< of the program that made it; empty where it is not known
   bool published = false;      ///< one of the committed results, not one of this machine
   std::filesystem::path file;  ///< HDF5 result; the report offers a copy where it exists
   std::string download;        ///< name of that copy in the folder runs/ of the report
@@ -109,11 +151,15 @@ struct ReportContents {
   std::size_t runs_wanted = 0;           ///< simulations of the profile …
   std::size_t runs_available = 0;        ///< … and how many of them have a result
   int numerics_version = 0;
+  Certificate certificate;
+  std::string citation;  ///< how to cite the suite, CITATION.cff
+  std::vector<FindingRow> findings;
   std::vector<ClaimRow> claims;
   std::vector<FigurePage> figures;  ///< in the order of the work
   std::vector<RunRow> runs;
   std::vector<InconsistencyRow> inconsistencies;
   std::vector<QuantityRow> quantities;
+  std::vector<DataSetRow> data_sets;
   std::string claims_json;  ///< offered as claims.json
 };
 

@@ -13,6 +13,7 @@
 
 #include "experiments/claims/claims.hpp"
 #include "experiments/claims/measured_file.hpp"
+#include "experiments/commands/baseline.hpp"
 #include "experiments/commands/commands.hpp"
 #include "experiments/commands/works.hpp"
 #include "experiments/work/judge.hpp"
@@ -30,10 +31,12 @@ constexpr const char* examples = R"(Examples:
   slfb check --junit gates.xml        a test case per gate, for CI
   slfb check --template > mine.toml   a file for results of your own, from an experiment or another code
   slfb check --measured mine.toml     what the claims say to them; the bands of the paper are the gates
+  slfb check --measured mine.toml --baseline accepted.toml --accept   accept them: gates of the next call
+  slfb check --measured mine.toml --baseline accepted.toml            have they changed since?
 
 A verdict says whether the paper is reproduced; a gate says whether our own accepted value still stands. The exit
-status is 0 when every gate of the chosen claims holds, 1 when one is broken or a file cannot be read or written, 2 for
-a wrong command line. Name claims before --json, which takes what follows it as its file. Nothing is simulated.
+status is 0 when every gate of the chosen claims holds, 1 when one is broken, when results of --measured decide no claim,
+or when a file cannot be read or written, 2 for a wrong command line. Name claims before --json, which takes what follows it as its file. Nothing is simulated.
 
 JSON: {"claims": [CLAIM, ...]}; a CLAIM has
   id, figure, quantity, unit   texts; "-" is the unit of ratios
@@ -50,8 +53,9 @@ struct Options {
   std::string work;
   std::vector<std::string> ids;
   std::string json = "-";
-  std::filesystem::path junit, measured;
-  bool start = false;  ///< print a file of measured results to start from
+  std::filesystem::path junit, measured, baseline;
+  bool accept = false;  ///< take `measured` for the baseline
+  bool start = false;   ///< print a file of measured results to start from
   std::string profile;
   std::filesystem::path out = build_folder();
 };
@@ -115,15 +119,31 @@ std::vector<Evaluation> evaluate_own(const Work& work, const std::vector<Claim>&
   return judge(work, profile, claims, options.out).evaluations;
 }
 
-/// Returns the exit status: 1 when a gate is broken.
+/// What the claims say to results of others.
+std::vector<Evaluation> evaluate_results(const std::vector<Claim>& chosen, const std::vector<Claim>& all,
+                                         const Options& options) {
+  const Measurements measured = load_measured(options.measured, all);
+  auto evaluations = evaluate_measured(chosen, measured);
+  if (!options.baseline.empty()) gate_against_baseline(evaluations, measured, load_measured(options.baseline, all));
+  return evaluations;
+}
+
+/// Takes the results for the baseline, once they have been read without an error.
+void accept(const Work& work, const Options& options) {
+  const std::size_t number = load_measured(options.measured, load_claims(work)).size();
+  std::filesystem::copy_file(options.measured, options.baseline, std::filesystem::copy_options::overwrite_existing);
+  fmt::print("{} results of {} accepted in {}\n", number, options.measured.string(), options.baseline.string());
+}
+
+/// Returns the exit status: 1 when a gate is broken, or when results of others were held against nothing.
 int check(const Work& work, const Options& options, bool json) {
   for (const std::filesystem::path& file : {std::filesystem::path(options.json), options.junit})
     if (file.has_parent_path() && !std::filesystem::is_directory(file.parent_path()))
       throw std::runtime_error(
           fmt::format("cannot write {}: there is no folder {}", file.string(), file.parent_path().string()));
   const std::vector<Claim> all = load_claims(work), claims = choose(all, options.ids);
-  const auto evaluations = options.measured.empty() ? evaluate_own(work, claims, options)
-                                                    : evaluate_measured(claims, load_measured(options.measured, all));
+  const auto evaluations =
+      options.measured.empty() ? evaluate_own(work, claims, options) : evaluate_results(claims, all, options);
   const bool json_to_stdout = json && options.json == "-";
   if (json_to_stdout) {
     fmt::print("{}\n", claims_json(evaluations).dump(2));
@@ -132,7 +152,18 @@ int check(const Work& work, const Options& options, bool json) {
   }
   if (json && !json_to_stdout) write_named_file(options.json, claims_json(evaluations).dump(2) + "\n");
   if (!options.junit.empty()) write_named_file(options.junit, claims_junit(evaluations));
-  return count(evaluations).gates_broken == 0 ? 0 : 1;
+  const ClaimCounts counts = count(evaluations);
+  if (!options.measured.empty() && counts.gates_holding + counts.gates_broken == 0) {
+    // Nothing was held against anything: that is no success.
+    fmt::print(
+        stderr,
+        "slfb: error: {} decides none of the {} chosen claims: a value needs a half_width, and a claim all of its "
+        "measures{}\n",
+        options.measured.string(), claims.size(),
+        options.baseline.empty() ? "" : fmt::format("; {} needs the same measures", options.baseline.string()));
+    return 1;
+  }
+  return counts.gates_broken == 0 ? 0 : 1;
 }
 
 }  // namespace
@@ -157,11 +188,19 @@ void add_check_command(CLI::App& app, const Works& works) {
                               ->option_text("FILE")
                               ->excludes(profile)
                               ->excludes(out);
+  CLI::Option* baseline = command
+                              ->add_option("--baseline", options->baseline,
+                                           "the gates are the results in FILE, accepted before, not the paper's bands")
+                              ->option_text("FILE")
+                              ->needs(measured);
+  command->add_flag("--accept", options->accept, "write the results of --measured to FILE of --baseline")
+      ->needs(baseline);
   command->add_flag("--template", options->start, "print a file for --measured to start from")->excludes(measured);
   command->footer(examples);
   command->callback([options, json, &works] {
     const Work& work = find_work(works, options->work);
     if (options->start) return fmt::print("{}", measured_template(choose(load_claims(work), options->ids)));
+    if (options->accept) return accept(work, *options);
     if (options->json.empty()) options->json = "-";
     const int status = check(work, *options, json->count() > 0);
     if (status != 0) throw CLI::RuntimeError(status);

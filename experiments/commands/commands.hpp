@@ -56,6 +56,18 @@ void add_law_command(CLI::App& app);
 /// `slfb bench`: how fast the parts of the solver are on this machine.
 void add_bench_command(CLI::App& app);
 
+/// `slfb campaign`: the runs of a profile as jobs of a scheduler; `slfb campaign merge`: results of several machines.
+void add_campaign_command(CLI::App& app);
+
+/// `slfb show`: what a finished run holds, printed, and drawn on one page.
+void add_show_command(CLI::App& app);
+
+/// `slfb movie`: pictures of the spheres of a run, one per snapshot, joined to a film where ffmpeg is installed.
+void add_movie_command(CLI::App& app);
+
+/// `slfb completion`: what a shell needs to complete commands and options.
+void add_completion_command(CLI::App& app);
+
 /// `slfb list`: figures, claims, the runs of each profile, scenes; `slfb list quantities`: what is measured.
 void add_list_command(CLI::App& app, const Works& works = slfb::works());
 

@@ -63,12 +63,6 @@ std::vector<Study> chosen_studies(const Options& options) {
   return chosen;
 }
 
-std::vector<studies::Trial> trials_of(const Study& study) {
-  std::vector<studies::Trial> trials = study.reference;
-  for (const auto& point : study.points) trials.insert(trials.end(), point.trials.begin(), point.trials.end());
-  return trials;
-}
-
 void print_study(const Study& study, const ReducedStudy& reduced) {
   fmt::print("{}: {}\n", study.id, study.title);
   const studies::Problem& problem = studies::find_problem(study.problem);
@@ -91,7 +85,7 @@ int run(const Options& options) {
   if (options.list) {
     fmt::print("{:<26}{:>9}{:>9}  {}\n", "study", "trials", "solved", "title");
     for (const Study& study : chosen) {
-      const auto trials = trials_of(study);
+      const auto trials = frontier::trials_of(study);
       const auto solved =
           std::ranges::count_if(trials, [&](const auto& trial) { return store.find(trial).has_value(); });
       fmt::print("{:<26}{:>9}{:>9}  {}\n", study.id, trials.size(), solved, study.title);
@@ -103,20 +97,16 @@ int run(const Options& options) {
   for (const Study& study : chosen) {
     if (!options.no_run && whole)
       whole = studies::solve_missing(
-          trials_of(study), store,
+          frontier::trials_of(study), store,
           {.jobs = options.jobs, .solved = [&](std::size_t done, std::size_t all, const auto&, const auto& result) {
              fmt::print(stderr, "{}: {} of {}{}\n", study.id, done, all,
                         result.failure.empty() ? "" : ", failed: " + result.failure);
            }});
-    ReducedStudy reduced = frontier::reduce(study, studies::set_named(options.set), store);
-    if (reduced.points.empty()) {
-      reduced = frontier::load_reduced(study, options.out);
-    } else if (std::ranges::all_of(trials_of(study),
-                                   [&](const auto& trial) { return store.find(trial).has_value(); })) {
-      // Half a study must not take the place of a whole one.
-      frontier::save_reduced(reduced, frontier::reduced_file(options.out, study.id));
-      if (options.publish) frontier::save_reduced(reduced, frontier::committed_file(study.id));
-    }
+    const studies::Set set = studies::set_named(options.set);
+    const bool kept = frontier::keep_if_whole(study, set, store, options.out);
+    ReducedStudy reduced = frontier::reduce(study, set, store);
+    if (kept && options.publish) frontier::save_reduced(reduced, frontier::committed_file(study.id));
+    if (reduced.points.empty()) reduced = frontier::load_reduced(study, options.out);
     frontier::draw_frontier(study, reduced, {}, options.out / "frontier");
     print_study(study, reduced);
   }

@@ -16,12 +16,14 @@
 #include <vector>
 
 #include "experiments/commands/commands.hpp"
+#include "experiments/commands/run_entries.hpp"
 #include "experiments/commands/works.hpp"
 #include "experiments/numerics/plan/plan.hpp"
 #include "experiments/runs/measure.hpp"
 #include "experiments/runs/run_campaign.hpp"
 #include "experiments/runs/run_estimate.hpp"
 #include "experiments/runs/run_files.hpp"
+#include "experiments/work/profiles.hpp"
 #include "solver/coupling/drag_relaxation.hpp"
 #include "solver/dem/packing.hpp"
 #include "solver/laws/scene_file.hpp"
@@ -39,11 +41,14 @@ constexpr const char* examples = R"(Examples:
   slfb run scene.toml --threads 2                            simulate
   slfb run scene.toml --plan auto                            simulate no more than V_2 and voidage need
   slfb run scene.toml --set "liquid.superficial_velocity=0.08 m/s" --set stage[2].repetitions=5
+  slfb run --profile full 6in5W/0.10                         one run of a profile (`slfb list --runs full` shows them)
 
 The result lies in DIR/runs/HASH/result.h5, HASH being computed from every value of the scene: the same scene is not
 simulated twice, and a run that was interrupted goes on when the same command is given again.)";
 
 struct Options {
+  std::string asked_scene;  ///< a file, or with a profile the key of one of its runs
+  std::string profile, work;
   std::filesystem::path scene;
   std::filesystem::path out = build_folder();
   int threads = 1;
@@ -215,6 +220,19 @@ const char* status_of(const CampaignOutcome& outcome) {
   return outcome.skipped > 0 ? "existed" : "finished";
 }
 
+/// Sets the scene file and the overrides from what was asked for.
+void find_scene(Options& options) {
+  options.scene = options.asked_scene;
+  if (options.profile.empty()) {
+    if (const std::string problem = CLI::ExistingFile(options.asked_scene); !problem.empty())
+      throw CLI::ValidationError("SCENE", problem);
+    return;
+  }
+  const RunSpec spec = find_run(load_profile(find_work(works(), options.work), options.profile), options.asked_scene);
+  options.scene = spec.scene;
+  options.overrides = spec.overrides;
+}
+
 /// Returns the exit status.
 int run(const Options& options) {
   std::optional<NoForeignCode> guard;
@@ -237,8 +255,9 @@ int run(const Options& options) {
 
   for (const std::string& remark : remarks_on(scene)) spdlog::warn("{}", remark);
   const std::string hash = scene_hash(scene);
-  const CampaignOutcome outcome = run_scenes({{options.scene.stem().string(), scene}},
-                                             {.out = options.out, .jobs = 1, .threads_per_run = options.threads});
+  const std::string label = options.profile.empty() ? options.scene.stem().string() : options.asked_scene;
+  const CampaignOutcome outcome =
+      run_scenes({{label, scene}}, {.out = options.out, .jobs = 1, .threads_per_run = options.threads});
   json answer{{"scene", options.scene.string()}, {"hash", hash}, {"status", status_of(outcome)}};
   if (outcome.unfinished() == 0) {
     const auto file = result_file(options.out, hash);
@@ -264,13 +283,20 @@ void add_run_command(CLI::App& app) {
   auto options = std::make_shared<Options>();
   const int cores = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
   CLI::App* command = app.add_subcommand("run", "Simulate one scene");
-  command->add_option("SCENE", options->scene, "Scene file (TOML)")->required()->check(CLI::ExistingFile);
+  command->add_option("SCENE", options->asked_scene, "Scene file (TOML), or with --profile the key of a run")
+      ->required()
+      ->option_text("SCENE|KEY");
+  CLI::Option* profile =
+      command->add_option("--profile", options->profile, "One run of this profile, with its settings")
+          ->option_text("PROFILE");
+  add_work_option(*command, works(), options->work);
   command->add_option("--out", options->out, "Folder of runs/")->capture_default_str();
   command->add_option("--threads", options->threads, fmt::format("Threads, up to the {} cores here", cores))
       ->check(CLI::Range(1, cores))
       ->capture_default_str();
   command->add_option("--set", options->overrides, "Replace a value of the scene: KEY=VALUE, may be repeated")
-      ->allow_extra_args(false);
+      ->allow_extra_args(false)
+      ->excludes(profile);
   command
       ->add_option_function<std::string>(
           "--plan", [options](const std::string&) { options->planned = true; },
@@ -286,6 +312,7 @@ void add_run_command(CLI::App& app) {
   command->add_flag("--json", options->json, "Write the plan or the summary as JSON");
   command->footer(examples);
   command->callback([options] {
+    find_scene(*options);
     if (const int status = run(*options); status != 0) throw CLI::RuntimeError(status);
   });
 }

@@ -1,14 +1,10 @@
-#include <fmt/chrono.h>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <atomic>
-#include <ctime>
 #include <filesystem>
 #include <memory>
-#include <mutex>
 #include <string>
 #include <thread>
 #include <vector>
@@ -17,7 +13,6 @@
 #include "experiments/commands/commands.hpp"
 #include "experiments/numerics/stability/map.hpp"
 #include "experiments/numerics/stability/map_chart.hpp"
-#include "experiments/runs/stop_signals.hpp"
 #include "solver/support/folders.hpp"
 
 namespace slfb {
@@ -67,51 +62,6 @@ std::vector<Map> chosen_maps(const Options& options) {
   return chosen;
 }
 
-/// False when a signal ended it before the end.
-bool compute(const Map& map, const Options& options, SolvedMap& solved) {
-  const studies::TrialStore store(options.out / "trials");
-  const StopSignals signals;
-  struct Task {
-    const stability::MapSeries* series;
-    double x;
-  };
-  std::vector<Task> tasks;
-  for (const auto& series : map.series)
-    for (const double x : map.x_values) tasks.push_back({&series, x});
-  std::vector<std::optional<Boundary>> found(tasks.size());
-  std::atomic<std::size_t> next{0};
-  std::mutex mutex;
-  std::exception_ptr error;
-  const auto work = [&] {
-    for (std::size_t i = next++; i < tasks.size(); i = next++) {
-      try {
-        found[i] = stability::find_boundary(map, *tasks[i].series, tasks[i].x, store,
-                                            [&] { return signals.requested().load(); });
-        const std::lock_guard lock(mutex);
-        if (found[i])
-          fmt::print(stderr, "{}: {} at {:g}: {:.4g}\n", map.id, found[i]->series, found[i]->x, found[i]->y);
-      } catch (...) {
-        const std::lock_guard lock(mutex);
-        error = std::current_exception();
-        next = tasks.size();
-      }
-    }
-  };
-  {
-    std::vector<std::jthread> threads;
-    for (int job = 0; job < options.jobs; ++job) threads.emplace_back(work);
-  }
-  if (error) std::rethrow_exception(error);
-  bool whole = true;
-  for (auto& boundary : found) {
-    if (boundary)
-      solved.boundaries.push_back(std::move(*boundary));
-    else
-      whole = false;
-  }
-  return whole;
-}
-
 void print_map(const Map& map, const SolvedMap& solved) {
   fmt::print("{}: {}\n  fails: {}\n", map.id, map.title, map.criterion_text);
   fmt::print("  {:<30}{:>12}{:>26}", "method", "x", "boundary");
@@ -138,12 +88,14 @@ int run(const Options& options) {
   std::filesystem::create_directories(options.out / "stability");
   bool whole = true;
   for (const Map& map : chosen) {
-    SolvedMap solved{
-        {map.id, options.set, "", fmt::format("{:%Y-%m-%d}", fmt::gmtime(std::time(nullptr))), numerics_version}, {}};
+    SolvedMap solved;
     if (!options.no_run && whole) {
-      whole = compute(map, options, solved);
-      // Half a map must not take the place of a whole one.
-      if (whole) stability::save_solved(solved, stability::solved_file(options.out, map.id));
+      stability::MapAnswer answer = stability::solve_map(
+          map, studies::set_named(options.set), options.out, options.jobs, [&](const Boundary& found) {
+            fmt::print(stderr, "{}: {} at {:g}: {:.4g}\n", map.id, found.series, found.x, found.y);
+          });
+      whole = answer.whole;
+      solved = std::move(answer.solved);
       if (options.publish && whole) stability::save_solved(solved, stability::committed_file(map.id));
     } else {
       solved = stability::load_solved(map, options.out);

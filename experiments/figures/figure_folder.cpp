@@ -70,12 +70,12 @@ std::filesystem::path FigureFolder::plot(const std::string& name) const {
 }
 
 std::string figure_definitions(const std::string& readme) {
+  constexpr std::string_view heading = "## Definitions\n";
   std::string text = readme;
   const auto [begin, end] = caption_range(text);
   if (begin != std::string::npos) text.erase(begin, end - begin);
-  constexpr std::string_view heading = "## Definitions\n";
-  if (const std::size_t found = text.find(heading); found != std::string::npos) text.erase(found, heading.size());
-  return text;
+  const std::size_t found = text.find(heading);
+  return found == std::string::npos ? "" : text.substr(found + heading.size());
 }
 
 }  // namespace slfb

@@ -30,8 +30,8 @@ class FigureFolder {
   std::filesystem::path folder_;
 };
 
-/// README.md of a figure's folder without its caption and the heading "## Definitions", as Markdown: how the figure is
-/// measured.
+/// What a figure's README.md has under "## Definitions", and after it but for the caption, as Markdown: how the figure
+/// is measured. Empty without that heading: the text is then for those who work on the suite.
 std::string figure_definitions(const std::string& readme);
 
 }  // namespace slfb

@@ -107,11 +107,13 @@ std::string springs_note(const std::vector<FinishedRun>& own_springs) {
     if (std::ranges::find(profiles, run.spec.profile) == profiles.end()) profiles.push_back(run.spec.profile);
     keys.push_back(run_key(run.spec));
   }
+  std::string settings;
+  if (!own_springs.empty()) settings = " Their settings: " + join(own_springs.front().spec.differences, " ");
   return fmt::format(
       "Contacts, collisions and single forces depend on the stiffness of the springs. Where a system has two "
       "velocities with that of the source, they are taken from these runs alone ({}). Elsewhere the springs are "
-      "softer: contacts last longer, with the root of mass over stiffness, and fewer collisions are counted.",
-      keys.empty() ? "none yet" : fmt::format("profiles {}: {}", join(profiles, " and "), join(keys, ", ")));
+      "softer: contacts last longer, with the root of mass over stiffness, and fewer collisions are counted.{}",
+      keys.empty() ? "none yet" : fmt::format("profiles {}: {}", join(profiles, " and "), join(keys, ", ")), settings);
 }
 
 std::vector<MeasuredPoint> measured_points(const Measurements& measurements, std::string_view quantity,
@@ -222,36 +224,14 @@ std::vector<std::string> run_notes(const FigureContext& context, const std::vect
   return notes;
 }
 
-namespace {
-
-/// The text below a figure of runs: what sets them apart from the source, or how to simulate them.
-std::string footer_text(const std::string& id, const FigureContext& context, const std::vector<std::string>& keys,
-                        const std::vector<FinishedRun>& own_springs) {
-  std::string text =
-      fmt::format("Not yet simulated. \"build/slfb figures {} --profile full\" simulates it and draws it again.", id);
-  const auto present = present_runs(context, keys);
-  if (own_springs.empty()) {
-    if (!present.empty()) text = join(differences_of(context, present), " ");
-    return text;
-  }
-  std::vector<const FinishedRun*> of_contacts;
-  for (const FinishedRun& run : own_springs) of_contacts.push_back(&run);
-  const auto sentences = differences_of(context, of_contacts);
-  std::vector<std::string> others;
-  for (std::string& sentence : differences_of(context, present))
-    if (std::ranges::find(sentences, sentence) == sentences.end()) others.push_back(std::move(sentence));
-  const std::string contacts = "Contacts and single forces: " + join(sentences, " ");
-  return present.empty() ? text + " " + contacts : contacts + " All else: " + join(others, " ");
-}
-
-}  // namespace
-
 void draw_plot_of_runs(const std::string& id, const std::filesystem::path& plot, PlotValues values, Canvas canvas,
-                       const FigureContext& context, const std::vector<std::string>& keys,
-                       const std::vector<FinishedRun>& own_springs) {
-  const int characters = std::max(40, canvas.width / 5);
-  const auto lines = wrap(footer_text(id, context, keys, own_springs), static_cast<std::size_t>(characters));
-  const int footer_height = 13 * static_cast<int>(lines.size()) + 8;
+                       const FigureContext& context, const std::vector<std::string>& keys) {
+  std::vector<std::string> lines;
+  if (present_runs(context, keys).empty())
+    lines = wrap(
+        fmt::format("Not yet simulated. \"build/slfb figures {} --profile full\" simulates it and draws it again.", id),
+        static_cast<std::size_t>(std::max(40, canvas.width / 5)));
+  const int footer_height = lines.empty() ? 0 : 13 * static_cast<int>(lines.size()) + 8;
   canvas.height += footer_height;
   values.texts("footer", lines);
   values.number("footer_height", footer_height);

@@ -85,15 +85,12 @@ std::vector<Series> variants_against_bed(const std::string& id, std::string_view
 /// read from the committed results, runs of an older numerics version.
 std::vector<std::string> run_notes(const FigureContext& context, const std::vector<std::string>& keys);
 
-/// Draws the gnuplot file `plot` as ID (draw_plot) with the differences of the profile printed below it, or how to
-/// simulate it when no run of `keys` exists.
+/// Draws the gnuplot file `plot` as ID (draw_plot); when no run of `keys` exists, how to simulate it is printed below.
 ///
 /// The plot may use `width` and `height` (of the picture, in pixels) and `base` (the part of the height that this text
 /// takes, experiments/figures/footer.gp). A figure of several plots begins with `set multiplot` and says
-/// `eval footer_drawn` after its first plot, so that the text is drawn once. `own_springs`: the runs from which
-/// contacts and single forces are taken.
+/// `eval footer_drawn` after its first plot, so that the text is drawn once.
 void draw_plot_of_runs(const std::string& id, const std::filesystem::path& plot, PlotValues values, Canvas canvas,
-                       const FigureContext& context, const std::vector<std::string>& keys,
-                       const std::vector<FinishedRun>& own_springs = {});
+                       const FigureContext& context, const std::vector<std::string>& keys);
 
 }  // namespace slfb

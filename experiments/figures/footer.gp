@@ -1,4 +1,4 @@
-# What stands before the plot of a figure of runs: the text below the picture. Reads footer (its lines) and footer_height
+# What stands before the plot of a figure of runs: the text below the picture, if there is any. Reads footer (its lines) and footer_height
 # [pixel]; sets base, the part of the height that the text takes, and keeps the plot above it. A figure of several plots
 # says `eval footer_drawn` after its first, so that the text is drawn once.
 base = footer_height/height

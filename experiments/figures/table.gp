@@ -1,7 +1,7 @@
 # A table as a picture, so that it can be put beside the figures. Reads cell (its rows one after the other, each of
-# column_count texts), the heights head_height and row_height of its head and rows and table_height of all [pixel], and
-# from the figure for each column its place [pixel] in position, left (1: position is its left edge, 0: its right one),
-# heading_1 and heading_2 (two lines) and colour.
+# column_count texts), heading_1 and heading_2 (the two lines of each heading), the heights head_height and row_height of
+# its head and rows and table_height of all [pixel], and from the figure for each column its place [pixel] in position,
+# left (1: position is its left edge, 0: its right one) and colour.
 unset grid
 unset key
 unset border

@@ -1,6 +1,7 @@
 #include "experiments/runs/progress_display.hpp"
 
 #include <fmt/format.h>
+#include <spdlog/spdlog.h>
 #include <sys/ioctl.h>
 #include <unistd.h>
 
@@ -15,7 +16,7 @@ namespace slfb {
 namespace {
 
 constexpr std::chrono::milliseconds terminal_interval{250};
-constexpr std::chrono::seconds plain_interval{20};
+constexpr std::chrono::seconds plain_interval{30};
 constexpr std::size_t bar_width = 16;
 
 std::size_t terminal_width() {
@@ -35,10 +36,11 @@ std::string figures_of(const Progress& progress) {
 
 }  // namespace
 
-ProgressDisplay::ProgressDisplay(std::vector<Job> jobs, int side_by_side, bool enabled)
+ProgressDisplay::ProgressDisplay(std::vector<Job> jobs, int side_by_side, bool enabled, std::string heading)
     : side_by_side_(static_cast<std::size_t>(std::max(1, side_by_side))),
-      enabled_(enabled),
-      terminal_(isatty(STDERR_FILENO) != 0) {
+      enabled_(enabled && spdlog::should_log(spdlog::level::warn)),
+      terminal_(isatty(STDERR_FILENO) != 0),
+      heading_(std::move(heading)) {
   for (Job& job : jobs) entries_.emplace_back().job = std::move(job);
 }
 
@@ -50,13 +52,18 @@ void ProgressDisplay::start(std::size_t job) {
   entries_[job].started = Clock::now();
 }
 
-void ProgressDisplay::update(std::size_t job, const Progress& progress) {
+void ProgressDisplay::update(std::size_t job, double fraction, const std::string& text) {
   const std::lock_guard lock(mutex_);
   Entry& entry = entries_[job];
-  entry.fraction = progress.planned_seconds > 0.0 ? progress.simulated_seconds / progress.planned_seconds : 0.0;
+  entry.fraction = fraction;
   if (!entry.reported) entry.fraction_at_start = entry.fraction;
   entry.reported = true;
-  entry.latest = progress;
+  entry.latest = text;
+}
+
+void ProgressDisplay::update(std::size_t job, const Progress& progress) {
+  update(job, progress.planned_seconds > 0.0 ? progress.simulated_seconds / progress.planned_seconds : 0.0,
+         figures_of(progress));
 }
 
 void ProgressDisplay::end(std::size_t job, const std::string& text) {
@@ -95,7 +102,7 @@ void ProgressDisplay::erase_block() {
 
 void ProgressDisplay::print_line(const std::string& text) {
   erase_block();
-  fmt::print(stderr, "{}\n", text);
+  if (!text.empty()) fmt::print(stderr, "{}\n", text);
   std::fflush(stderr);
 }
 
@@ -113,25 +120,33 @@ void ProgressDisplay::draw_block() {
     if (entry.state != State::running) continue;
     // What matters most comes first, since a narrow terminal cuts the end.
     draw(fmt::format("{:<{}} {} {:3.0f} %  {:>11} left  {}", entry.job.label, label_width, bar(entry.fraction),
-                     100.0 * entry.fraction, format_duration(seconds_left(entry)), figures_of(entry.latest)));
+                     100.0 * entry.fraction, format_duration(seconds_left(entry)), entry.latest));
   }
-  if (entries_.size() > 1) draw(summary());
+  if (entries_.size() > 1 || !heading_.empty()) draw(summary());
   std::fflush(stderr);
 }
 
 void ProgressDisplay::draw_plain() {
-  for (const Entry& entry : entries_) {
-    if (entry.state != State::running) continue;
-    print_line(fmt::format("{}: {:.0f} %, {}, {} left", entry.job.label, 100.0 * entry.fraction,
-                           figures_of(entry.latest), format_duration(seconds_left(entry))));
-  }
-  if (entries_.size() > 1) print_line(summary());
+  const std::string running = running_jobs();
+  print_line(entries_.size() > 1 || !heading_.empty()
+                 ? fmt::format("{}{}", summary(), running.empty() ? "" : ": " + running)
+                 : running);
 }
 
 std::string ProgressDisplay::summary() const {
   const auto over =
       std::count_if(entries_.begin(), entries_.end(), [](const Entry& entry) { return entry.state == State::over; });
-  return fmt::format("{} of {} runs done, {} left", over, entries_.size(), format_duration(seconds_left_of_all()));
+  return fmt::format("{}{} of {} done, {} left", heading_.empty() ? "" : heading_ + ": ", over, entries_.size(),
+                     format_duration(seconds_left_of_all()));
+}
+
+std::string ProgressDisplay::running_jobs() const {
+  std::string text;
+  for (const Entry& entry : entries_)
+    if (entry.state == State::running)
+      text += fmt::format("{}{} {:.0f} % ({}, {} left)", text.empty() ? "" : "; ", entry.job.label,
+                          100.0 * entry.fraction, entry.latest, format_duration(seconds_left(entry)));
+  return text;
 }
 
 double ProgressDisplay::seconds_running(const Entry& entry) const {
@@ -166,5 +181,13 @@ double ProgressDisplay::seconds_left_of_all() const {
   }
   return *std::max_element(places.begin(), places.end());
 }
+
+DisplayRefresher::DisplayRefresher(ProgressDisplay& display)
+    : thread_([&display](const std::stop_token& stop) {
+        while (!stop.stop_requested()) {
+          display.refresh();
+          std::this_thread::sleep_for(std::chrono::milliseconds(100));
+        }
+      }) {}
 
 }  // namespace slfb

@@ -120,7 +120,7 @@ CampaignOutcome run_scenes(const std::vector<NamedScene>& scenes, const Campaign
 
   std::vector<ProgressDisplay::Job> shown;
   for (const Task& task : tasks) shown.push_back({task.label, task.cost});
-  ProgressDisplay display(std::move(shown), options.jobs, options.progress);
+  ProgressDisplay display(std::move(shown), options.jobs, options.progress, options.heading);
   const StopSignals signals;
 
   std::mutex mutex;

@@ -14,6 +14,7 @@ struct CampaignOptions {
   int jobs = 2;               ///< side by side; lowered where jobs × threads_per_run exceeds the cores
   int threads_per_run = 1;
   bool progress = true;
+  std::string heading = "";  ///< of the display: "step 2 of 3, simulations"
   /// Told of each run whose result has been saved, by its place among those asked for; one call at a time.
   std::function<void(std::size_t)> finished = {};
 };

@@ -11,7 +11,8 @@
 
 namespace slfb {
 
-RunLock::RunLock(const std::filesystem::path& directory) : descriptor_(open(directory.c_str(), O_RDONLY | O_CLOEXEC)) {
+RunLock::RunLock(const std::filesystem::path& directory)
+    : descriptor_(open((directory / "lock").c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666)) {
   if (descriptor_ < 0) throw std::system_error(errno, std::generic_category(), directory.string());
   if (flock(descriptor_, LOCK_EX | LOCK_NB) == 0) return;
   const int reason = errno;

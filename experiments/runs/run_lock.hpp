@@ -4,8 +4,9 @@
 
 namespace slfb {
 
-/// Held while a process simulates in the folder of a run, so that two never write the same checkpoints. The system
-/// lets go of it however the process ends.
+/// Held while a process simulates in the folder of a run, so that two never write the same checkpoints: a lock on the
+/// file `lock` there, opened for writing, since a network file system (NFS) locks no folder. The system lets go of it
+/// however the process ends.
 class RunLock {
  public:
   /// Throws std::runtime_error when another process holds it.

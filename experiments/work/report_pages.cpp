@@ -7,9 +7,13 @@
 #include <set>
 #include <stdexcept>
 
+#include "correlations/catalogue.hpp"
 #include "experiments/figures/figure_folder.hpp"
 #include "experiments/runs/measure.hpp"
 #include "experiments/runs/run_files.hpp"
+#include "experiments/work/certificate.hpp"
+#include "experiments/work/findings.hpp"
+#include "solver/io/run_result.hpp"
 #include "solver/support/files.hpp"
 #include "solver/support/folders.hpp"
 
@@ -17,18 +21,6 @@ namespace slfb {
 namespace {
 
 namespace fs = std::filesystem;
-
-reports::Verdict shown(Verdict verdict) {
-  switch (verdict) {
-    case Verdict::reproduced:
-      return reports::Verdict::reproduced;
-    case Verdict::not_reproduced:
-      return reports::Verdict::not_reproduced;
-    case Verdict::not_decidable:
-      return reports::Verdict::not_decidable;
-  }
-  throw std::logic_error("report_pages: unknown verdict");
-}
 
 reports::Gate shown(Gate gate) {
   switch (gate) {
@@ -59,22 +51,62 @@ std::string readme(const Figure& figure) {
   return figure.folder.empty() || !fs::exists(file) ? "" : figure_definitions(read_file(file));
 }
 
+/// Names of the catalogue's laws that the script of a drawn figure or the scenes of its runs name.
+std::vector<std::string> laws_of(const FigureOutput& output, const std::vector<std::string>& run_keys,
+                                 const ReportInputs& inputs) {
+  const fs::path script = inputs.out / "figures" / (output.id + ".gp");
+  std::string text = fs::exists(script) ? read_file(script) : "";
+  for (const FinishedRun& run : inputs.runs)
+    if (std::ranges::find(run_keys, run_key(run.spec)) != run_keys.end())
+      text += fmt::format(" {} {}", run.scene.coupling.drag_law, run.scene.contact.law);
+  std::vector<std::string> laws;
+  for (const CatalogueEntry& law : catalogue())
+    if (text.find(law.info.name) != std::string::npos) laws.emplace_back(law.info.name);
+  return laws;
+}
+
+reports::ShownTable shown_table(const TextTable& table) {
+  reports::ShownTable shown{{}, table.rows};
+  for (const auto& [first, second] : table.headings)
+    shown.headings.push_back(first.empty() ? second : first + " " + second);
+  return shown;
+}
+
 reports::FigurePage figure_page(const FigureOutput& output, const ReportInputs& inputs) {
   const Work& work = inputs.work;
   const Figure& figure = figure_named(work.figures, output.id);
   const bool own_profile = has_own_profile(work, figure);
-  reports::FigurePage page{output.id, figure.title, output.caption, readme(figure), {}, output.notes,
-                           {},        "",           output.findings};
+  reports::FigurePage page;
+  page.id = output.id;
+  page.title = figure.title;
+  page.caption = output.caption;
+  page.readme = readme(figure);
+  page.notes = output.notes;
+  page.table = shown_table(output.table);
+  page.findings = output.findings;
   for (const fs::path& data : output.data) page.data_files.push_back(data.filename().string());
   page.run_keys = figure.needs(inputs.judgement.shown);
   if (page.run_keys.empty() && own_profile) page.run_keys = figure.needs(load_profile(work, figure.id));
   const Profile& asked = inputs.judgement.profile;
   const std::string profile = !figure.needs(asked).empty() ? asked.name : own_profile ? figure.id : work.shown_beside;
   page.options = page.run_keys.empty() ? "--no-run" : "--profile " + profile;
+  page.laws = laws_of(output, page.run_keys, inputs);
   return page;
 }
 
 }  // namespace
+
+reports::Verdict shown(Verdict verdict) {
+  switch (verdict) {
+    case Verdict::reproduced:
+      return reports::Verdict::reproduced;
+    case Verdict::not_reproduced:
+      return reports::Verdict::not_reproduced;
+    case Verdict::not_decidable:
+      return reports::Verdict::not_decidable;
+  }
+  throw std::logic_error("report_pages: unknown verdict");
+}
 
 reports::ClaimRow claim_row(const Evaluation& evaluation) {
   const Claim& claim = evaluation.claim;
@@ -88,6 +120,7 @@ reports::ClaimRow claim_row(const Evaluation& evaluation) {
   row.paper_in_words = claim.kind == StatementKind::increasing || claim.kind == StatementKind::decreasing ||
                        claim.kind == StatementKind::words;
   if (claim.paper_band) row.band = {claim.paper_band->lower, claim.paper_band->upper};
+  if (claim.kind == StatementKind::value) row.paper_number = claim.paper;
   row.ours = evaluation.ours;
   row.interval = evaluation.interval;
   row.deviation = evaluation.deviation;
@@ -110,6 +143,7 @@ reports::RunRow run_row(const FinishedRun& run, const fs::path& out) {
   row.threads = run.result.threads;
   row.machine = run.result.machine;
   row.date = run.result.date;
+  row.commit = run.result.commit;
   row.published = run.published;
   row.file = run.published ? published : result_file(out, run.result.name);
   row.download = fmt::format("{}_{}", published.parent_path().filename().string(), published.filename().string());
@@ -130,6 +164,12 @@ reports::ReportContents report_contents(const ReportInputs& inputs) {
   contents.runs_wanted = wanted.size();
   contents.runs_available = available.size();
   contents.numerics_version = numerics_version;
+  contents.certificate = certificate();
+  if (const fs::path citation = source_folder() / "CITATION.cff"; fs::exists(citation))
+    contents.citation = read_file(citation);
+  contents.findings = findings(work, inputs.judgement.evaluations);
+  for (const ResultDataSet& set : result_data_sets())
+    contents.data_sets.push_back({set.path, set.unit, set.description});
   for (const Evaluation& evaluation : inputs.judgement.evaluations) contents.claims.push_back(claim_row(evaluation));
   for (const FigureOutput& output : inputs.outputs) contents.figures.push_back(figure_page(output, inputs));
   for (const FinishedRun& run : inputs.runs) contents.runs.push_back(run_row(run, inputs.out));

@@ -19,6 +19,10 @@ struct ReportInputs {
   const std::filesystem::path& out;          ///< folder of runs/
 };
 
+/// The verdict as the pages name it.
+reports::Verdict shown(Verdict verdict);
+
+/// One claim as a row of a page.
 reports::ClaimRow claim_row(const Evaluation& evaluation);
 
 /// \param out folder of runs/, where the results of this machine lie

@@ -95,6 +95,7 @@ struct RunResult {
   std::string scene_text;  ///< canonical TOML of the scene, every value in SI
   int numerics = numerics_version;
   std::string suite_version;
+  std::string commit;  ///< of the sources of the program; empty in results of before it was recorded
   std::string machine;
   std::string date;  ///< ISO 8601, UTC
   int threads = 1;
@@ -116,6 +117,16 @@ struct RunResult {
 /// Calls `visit` with each column of a series, in the order of the file.
 void for_each_column(BedSeries& series, const std::function<void(std::vector<double>&)>& visit);
 void for_each_column(DropSeries& series, const std::function<void(std::vector<double>&)>& visit);
+
+/// A data set of a result file.
+struct ResultDataSet {
+  std::string path;  ///< "bed/time"; of the first drop and of the first snapshot
+  std::string unit;  ///< UDUNITS spelling; "1" for a ratio
+  std::string description;
+};
+
+/// All of them, in the order of the file: what its attributes `unit` and `description` say.
+std::vector<ResultDataSet> result_data_sets();
 
 /// Writes a result to an HDF5 file with a checksum, whose groups solver/io/README.md lists. A temporary file takes the
 /// place of `file` when it is complete. Series are stored in single precision, times in double. Throws

@@ -1,12 +1,16 @@
 #include "solver/io/vtkhdf.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <limits>
 #include <numeric>
 #include <string>
 
 #include "solver/io/hdf5_file.hpp"
+#include "solver/support/files.hpp"
 
 namespace slfb::io {
 namespace {
@@ -62,7 +66,27 @@ std::vector<double> image(const fluid::ColumnGrid& grid, const std::array<ImageA
   return values;
 }
 
+constexpr double microsecond = 1e-6;  // [s]
+
 }  // namespace
+
+std::filesystem::path snapshot_file(const std::filesystem::path& folder, const std::string& kind, double time) {
+  return folder / fmt::format("{}_{:09}.hdf", kind, std::llround(time / microsecond));
+}
+
+void write_snapshot_series(const std::filesystem::path& folder, const std::string& kind) {
+  std::vector<std::string> names;
+  for (const auto& entry : std::filesystem::directory_iterator(folder))
+    if (entry.path().extension() == ".hdf" && entry.path().filename().string().starts_with(kind + "_"))
+      names.push_back(entry.path().filename().string());
+  std::ranges::sort(names);
+  std::string files;
+  for (const std::string& name : names)
+    files += fmt::format("{}\n    {{\"name\": \"{}\", \"time\": {:.6f}}}", files.empty() ? "" : ",", name,
+                         microsecond * std::stod(name.substr(kind.size() + 1)));
+  write_file(folder / (kind + ".hdf.series"),
+             fmt::format("{{\n  \"file-series-version\": \"1.0\",\n  \"files\": [{}\n  ]\n}}\n", files));
+}
 
 void write_particles_vtkhdf(const std::filesystem::path& file, const dem::Particles& particles, double time) {
   const auto count = static_cast<std::int64_t>(particles.size());

@@ -2,13 +2,22 @@
 
 #include <array>
 #include <filesystem>
+#include <string>
 #include <vector>
 
 #include "solver/dem/particles.hpp"
 #include "solver/fluid/column_grid.hpp"
 
-/// Snapshots for ParaView 5.10 and later (VTKHDF 1.0, the version that VTK 9.1 reads).
+/// Snapshots for ParaView 5.11 and later (VTKHDF 1.0, the version that VTK 9.1 reads). ParaView 5.11 knows them by the
+/// ending .hdf, and a list of them with their times by .hdf.series.
 namespace slfb::io {
+
+/// The file of a snapshot: KIND_TIME.hdf, the time in microseconds. \param time [s]
+std::filesystem::path snapshot_file(const std::filesystem::path& folder, const std::string& kind, double time);
+
+/// Writes KIND.hdf.series, the list of all snapshots of a kind in a folder with their times, which ParaView opens as
+/// one. Throws std::runtime_error that names the file if it cannot be written.
+void write_snapshot_series(const std::filesystem::path& folder, const std::string& kind);
 
 /// Spheres as an unstructured grid of points with radius and diameter [m], velocity [m/s], angular velocity [rad/s] and
 /// species (index into Scene::species), in single precision. `time` [s] is the attribute `time_seconds`. Throws

@@ -19,6 +19,7 @@
 #include "solver/dem/contact_laws.hpp"
 #include "solver/support/child_process.hpp"
 #include "solver/support/files.hpp"
+#include "solver/support/folders.hpp"
 #include "solver/support/run_program.hpp"
 
 namespace slfb {
@@ -82,6 +83,7 @@ std::vector<std::string> compiler_words() {
       fmt::format("{} {}", chosen != nullptr && *chosen != '\0' ? chosen : SLFB_LAW_COMPILER, SLFB_LAW_FLAGS));
   std::vector<std::string> command;
   for (std::string word; words >> word;) command.push_back(word);
+  command.push_back("-I" + source_folder().string());
   return command;
 }
 
@@ -99,7 +101,7 @@ std::string hint(const std::string& message, const UserLawKind& kind) {
 /// The shared object of a file: made anew when there is none of this content or when the suite is newer.
 fs::path compile(const fs::path& file, const std::string& content, const UserLawKind& kind) {
   std::vector<std::string> command = compiler_words();
-  const fs::path folder = SLFB_LAW_FOLDER;
+  const fs::path folder = cache_folder() / "user-laws";
   fs::path object = folder / (digits(fmt::format("{} {}", content, fmt::join(command, " "))) + ".so");
   if (fs::exists(object) && fs::last_write_time(object) > fs::last_write_time("/proc/self/exe")) return object;
   fs::create_directories(folder);

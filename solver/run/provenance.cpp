@@ -8,6 +8,7 @@
 #include <thread>
 
 #include "solver/laws/scene_file.hpp"
+#include "solver/support/commit.hpp"
 #include "solver/support/processor.hpp"
 
 namespace slfb::simulation {
@@ -17,6 +18,7 @@ RunResult new_result(const Scene& scene, int threads) {
   result.name = scene_hash(scene);
   result.scene_text = canonical_toml(scene);
   result.suite_version = SLFB_VERSION;
+  result.commit = suite_commit();
   result.threads = threads;
   result.steps_per_contact = std::numbers::pi * contact_time_step_bound(scene) / scene.contact.time_step;
   result.machine = fmt::format("{}, {} cores", processor_name(), std::thread::hardware_concurrency());

@@ -81,14 +81,13 @@ void Recorder::write_snapshot() const {
   const auto folder = directory_ / "snapshots";
   make_output_folder(folder);
   const double time = schedule_.fluidised_seconds();
-  const int digits = decimals(static_cast<double>(schedule_.interval_steps(scene_.recording.snapshot_interval)) *
-                              schedule_.time_step());
-  const std::string name = fmt::format("{:0{}.{}f}s.vtkhdf", time, digits + 5, digits);
-  io::write_particles_vtkhdf(folder / ("particles_" + name), model_.particles(), time);
+  io::write_particles_vtkhdf(io::snapshot_file(folder, "particles", time), model_.particles(), time);
+  io::write_snapshot_series(folder, "particles");
   const fluid::Liquid& liquid = model_.liquid();
-  if (liquid.two_way())
-    io::write_liquid_vtkhdf(folder / ("liquid_" + name), liquid.grid(), model_.coupling().void_fraction(),
-                            model_.coupling().cell_velocity(), liquid.pressure(), time);
+  if (!liquid.two_way()) return;
+  io::write_liquid_vtkhdf(io::snapshot_file(folder, "liquid", time), liquid.grid(), model_.coupling().void_fraction(),
+                          model_.coupling().cell_velocity(), liquid.pressure(), time);
+  io::write_snapshot_series(folder, "liquid");
 }
 
 void Recorder::exchange(io::StateGroup& state) {

@@ -1,5 +1,6 @@
 #include "solver/support/run_program.hpp"
 
+#include <fcntl.h>
 #include <fmt/format.h>
 #include <spawn.h>
 #include <sys/wait.h>
@@ -16,14 +17,14 @@ ProgramOutcome run_program(const std::vector<std::string>& words, const std::fil
                            const std::string& remedy) {
   const std::string& name = words.front();
   std::array<int, 2> channel{};
-  if (pipe(channel.data()) != 0) throw std::runtime_error(fmt::format("{}: pipe: {}", name, std::strerror(errno)));
+  // Closed in programs that other threads start meanwhile: with a copy there, the end of this one would not be seen.
+  if (pipe2(channel.data(), O_CLOEXEC) != 0)
+    throw std::runtime_error(fmt::format("{}: pipe: {}", name, std::strerror(errno)));
   posix_spawn_file_actions_t actions;
   posix_spawn_file_actions_init(&actions);
   posix_spawn_file_actions_addchdir_np(&actions, folder.c_str());
   posix_spawn_file_actions_adddup2(&actions, channel[1], STDERR_FILENO);
   posix_spawn_file_actions_adddup2(&actions, channel[1], STDOUT_FILENO);
-  posix_spawn_file_actions_addclose(&actions, channel[0]);
-  posix_spawn_file_actions_addclose(&actions, channel[1]);
   std::vector<std::string> copies = words;
   std::vector<char*> arguments;
   for (std::string& word : copies) arguments.push_back(word.data());

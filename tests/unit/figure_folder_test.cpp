@@ -74,10 +74,10 @@ TEST(FigureFolder, WordsOfCaptionAndFigureMustAgree) {
   EXPECT_EQ(figure.caption({{"weight", "676"}}), "The weight is 676 Pa.");
 }
 
-TEST(FigureFolder, DefinitionsAreTheReadmeWithoutItsCaption) {
+TEST(FigureFolder, DefinitionsAreWhatStandsUnderTheirHeading) {
   EXPECT_EQ(figure_definitions("# A title\n\n## Caption\n\nAll.\n\n## Definitions\n\nHow.\n\n## More\n\nWhy.\n"),
-            "# A title\n\n\nHow.\n\n## More\n\nWhy.\n");
-  EXPECT_EQ(figure_definitions("# A title\n\nHow.\n"), "# A title\n\nHow.\n");
+            "\nHow.\n\n## More\n\nWhy.\n");
+  EXPECT_EQ(figure_definitions("# A title\n\nFor those who work on it.\n"), "");
 }
 
 TEST(AddSeries, ListsTheSeriesThatHaveRows) {

@@ -53,6 +53,23 @@ void expect_headings_with_units(const fs::path& file) {
     EXPECT_TRUE(std::regex_match(heading, pattern)) << file << ": " << heading;
 }
 
+/// Every link and picture of a page that stands alone: those within it lead to an id of it, those beside it to a file.
+void expect_links_lead_somewhere(const fs::path& file) {
+  pugi::xml_document page;
+  const auto parsed = page.load_file(file.c_str(), pugi::parse_default, pugi::encoding_utf8);
+  ASSERT_TRUE(parsed) << file << ": " << parsed.description() << " at byte " << parsed.offset;
+  std::set<std::string> ids;
+  for (const auto& found : page.select_nodes("//@id")) ids.insert(found.attribute().value());
+  for (const auto& found : page.select_nodes("//@href | //@src")) {
+    const std::string target = found.attribute().value();
+    if (target.starts_with("https://")) continue;
+    if (target.starts_with("#"))
+      EXPECT_TRUE(ids.contains(target.substr(1))) << file << ": " << target;
+    else
+      EXPECT_TRUE(fs::exists(file.parent_path() / target.substr(0, target.find('#')))) << file << ": " << target;
+  }
+}
+
 struct Drawn {
   Profile profile = synthetic::profile();
   std::vector<FinishedRun> runs;
@@ -143,7 +160,7 @@ TEST_P(EveryFigure, AppearsInTheReportWithEveryClaim) {
 
   std::set<std::string> ids, targets;
   for (const char* name : {"index.html", "claims.html", "inconsistencies.html", "methods.html", "laws.html",
-                           "quantities.html", "flow.html", "provenance.html"}) {
+                           "quantities.html", "data.html", "flow.html", "provenance.html", "search.html"}) {
     pugi::xml_document page;
     const auto parsed =
         page.load_file((folder.path() / "report" / name).c_str(), pugi::parse_default, pugi::encoding_utf8);
@@ -173,6 +190,7 @@ TEST_P(EveryFigure, AppearsInTheReportWithEveryClaim) {
       EXPECT_TRUE(fs::exists(file.parent_path() / target.substr(0, target.find('#')))) << file << ": " << target;
     }
   }
+  expect_links_lead_somewhere(folder.path() / "report" / "print.html");
   for (const CatalogueEntry& law : catalogue()) {
     const fs::path file = folder.path() / "report" / "laws" / (std::string(law.info.name) + ".html");
     pugi::xml_document law_page;
@@ -242,6 +260,28 @@ TEST(Gnuplot, AFailingScriptThrowsWithItsMessage) {
   } catch (const std::runtime_error& error) {
     EXPECT_NE(std::string(error.what()).find("absent.csv"), std::string::npos) << error.what();
   }
+}
+
+TEST(Gnuplot, APictureIsDrawnAgainOnlyWhereItsScriptOrItsNumbersChange) {
+  const Folder folder;
+  const fs::path plot = folder.path() / "figure.gp", picture = folder.path() / "line.svg";
+  std::ofstream(plot) << "plot 'numbers.csv' skip 1 using 1:2 with lines notitle\n";
+  const auto draw = [&] { draw_plot("line", plot, {}, {}, folder.path(), {}, {"svg"}); };
+  write_csv({"numbers", {"a [-]", "b [-]"}, {{0.0, 1.0}, {1.0, 2.0}}}, folder.path());
+  draw();
+  std::ofstream(picture) << "as it was";
+  draw();
+  EXPECT_EQ(read(picture), "as it was");
+  write_csv({"numbers", {"a [-]", "b [-]"}, {{0.0, 1.0}, {1.0, 3.0}}}, folder.path());
+  draw();
+  EXPECT_NE(read(picture).find("<svg"), std::string::npos) << "other numbers";
+  std::ofstream(picture) << "as it was";
+  std::ofstream(plot) << "plot 'numbers.csv' skip 1 using 1:2 with points notitle\n";
+  draw();
+  EXPECT_NE(read(picture).find("<svg"), std::string::npos) << "another script";
+  fs::remove(picture);
+  draw();
+  EXPECT_TRUE(fs::exists(picture)) << "a picture that was removed";
 }
 
 TEST(Gnuplot, AnAbsentGnuplotThrowsAndSaysWhatToInstall) {

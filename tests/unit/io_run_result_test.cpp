@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <limits>
 #include <random>
+#include <set>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -48,6 +49,7 @@ RunResult example() {
   result.scene_text = canonical_toml(scene);
   result.numerics = 17;
   result.suite_version = "1.2.3";
+  result.commit = "0123456789ab";
   result.machine = "a machine, 2 cores";
   result.date = "2024-05-06T07:08:09Z";
   result.threads = 3;
@@ -107,6 +109,7 @@ TEST_F(RunResultTest, EveryFieldComesBack) {
   EXPECT_EQ(read.scene_text, written.scene_text);
   EXPECT_EQ(read.numerics, written.numerics);
   EXPECT_EQ(read.suite_version, written.suite_version);
+  EXPECT_EQ(read.commit, written.commit);
   EXPECT_EQ(read.machine, written.machine);
   EXPECT_EQ(read.date, written.date);
   EXPECT_EQ(read.threads, written.threads);
@@ -173,6 +176,7 @@ void expect_units(const io::Hdf5File& source, const std::string& group) {
       expect_units(source, path);
     } else {
       EXPECT_TRUE(source.has_attribute(path, "unit")) << path;
+      EXPECT_TRUE(source.has_attribute(path, "description")) << path;
     }
   }
 }
@@ -184,10 +188,27 @@ TEST_F(RunResultTest, EveryDataSetHasAUnitAndTheRootTellsWhereItComesFrom) {
   EXPECT_EQ(source.read_string_attribute("bed/pressure_drop", "unit"), "Pa");
   EXPECT_EQ(source.read_string_attribute("drops/0001/contact_force", "unit"), "N");
   EXPECT_EQ(source.read_string_attribute("plane/voidage", "unit"), "1");
-  for (const char* name : {"name", "scene", "numerics_version", "suite_version", "machine", "date", "threads",
+  for (const char* name : {"name", "scene", "numerics_version", "suite_version", "commit", "machine", "date", "threads",
                            "wall_seconds", "cpu_seconds", "simulated_seconds", "particle_steps"}) {
     EXPECT_TRUE(source.has_attribute("/", name)) << name;
   }
+}
+
+// The list that users are given is that of the file.
+TEST_F(RunResultTest, TheListOfDataSetsIsThatOfTheFile) {
+  save_result(example(), file());
+  const io::Hdf5File source = io::Hdf5File::open(file());
+  std::set<std::string> listed;
+  for (const ResultDataSet& set : result_data_sets()) {
+    listed.insert(set.path);
+    if (set.path.starts_with("snapshots") && !source.exists(set.path)) continue;
+    ASSERT_TRUE(source.exists(set.path)) << set.path;
+    EXPECT_EQ(source.read_string_attribute(set.path, "unit"), set.unit) << set.path;
+    EXPECT_EQ(source.read_string_attribute(set.path, "description"), set.description) << set.path;
+  }
+  for (const std::string& name : source.children("bed")) EXPECT_TRUE(listed.contains("bed/" + name)) << name;
+  for (const std::string& name : source.children("drops/0000"))
+    EXPECT_TRUE(listed.contains("drops/0000/" + name)) << name;
 }
 
 TEST_F(RunResultTest, AFileThatLacksAnItemIsNamedWithIt) {

@@ -40,7 +40,7 @@ ClaimRow rise_of_a_lever() {
 
 TEST(ClaimTable, ShowsStatementNumberIntervalAndVerdict) {
   const ClaimRow claim = rise_of_a_lever();
-  const std::string table = claim_table({&claim}, "rows");
+  const std::string table = claim_table({&claim});
   pugi::xml_document document;
   ASSERT_TRUE(document.load_string(table.c_str())) << table;
   const auto row = document.select_node("//tr[@id='lever.rise']").node();
@@ -59,9 +59,15 @@ TEST(ClaimTable, LeavesOutWhatDoesNotExist) {
   claim.ours.reset();
   claim.interval.reset();
   claim.deviation.reset();
-  const std::string table = claim_table({&claim}, "");
+  const std::string table = claim_table({&claim});
   EXPECT_EQ(table.find("increasing m"), std::string::npos);
   EXPECT_NE(table.find("<td data-label=\"Ours\"></td><td data-label=\"Deviation\"></td>"), std::string::npos) << table;
+}
+
+TEST(ClaimTable, LeadsToThePageOfAllClaims) {
+  const ClaimRow claim = rise_of_a_lever();
+  EXPECT_NE(claim_table({&claim}, "../claims.html").find("<a href=\"../claims.html#lever.rise\">lever.rise</a>"),
+            std::string::npos);
 }
 
 TEST(ClaimsByPlace, AreSortedByPlaceAndKeepTheirOrder) {
@@ -87,6 +93,8 @@ TEST(FigurePages, ShowClaimsRunsAndDoubtsOfTheirFigureAlone) {
   figure.title = "The lever";
   figure.caption = "How the lever rises.";
   figure.readme = "# Lever\n\n**We measure** its rise.";
+  figure.notes = {"Lever of 2 m, not 3 m.", "Not yet simulated: lever/0.20."};
+  figure.laws = {"wen-yu-1966"};
   figure.data_files = {"fig07_rise.csv"};
   figure.run_keys = {"lever/0.10", "lever/0.20"};
   figure.options = "--profile quick";
@@ -110,11 +118,39 @@ TEST(FigurePages, ShowClaimsRunsAndDoubtsOfTheirFigureAlone) {
   pugi::xml_document page;
   ASSERT_TRUE(page.load_string(text.c_str(), pugi::parse_default)) << text;
   EXPECT_EQ(page.select_nodes("//tr[@data-verdict]").size(), 1u);
-  for (const char* part : {"<strong>We measure</strong>", "by <strong>half</strong>", "1 of 2 simulations",
-                           "href=\"../runs/quick_lever.h5\"", "It is longer.",
-                           "build/slfb figures fig07 --profile quick", "width=\"300\""})
+  for (const char* part :
+       {"<strong>We measure</strong>", "by <strong>half</strong>", "1 of 2 simulations",
+        "href=\"../runs/quick_lever.h5\"", "It is longer.",
+        "<td class=\"lead\">3 m</td><td data-label=\"Here\">Lever of 2 m</td>",
+        "<li>Not yet simulated: lever/0.20.</li>", "href=\"../laws/wen-yu-1966.html\"", "alt=\"How the lever rises.\"",
+        "href=\"../claims.html#lever.rise\"", "build/slfb figures fig07 --profile quick", "width=\"300\""})
     EXPECT_NE(text.find(part), std::string::npos) << part;
   EXPECT_EQ(text.find("It is heavier."), std::string::npos);
+}
+
+TEST(FigurePages, ATableIsTextAndNoPicture) {
+  const Folder folder;
+  fs::create_directories(folder.path() / "figures");
+  write_file(folder.path() / "figures" / "table1.svg", "<svg viewBox=\"0 0 300 200\"></svg>");
+  ReportContents contents;
+  FigurePage figure;
+  figure.id = "table1";
+  figure.title = "Levers";
+  figure.caption = "All levers.";
+  figure.table = {{"lever", "U_L [m/s]"}, {{"first", "0.1 < 0.2"}}};
+  contents.figures = {figure};
+  write_figure_pages(contents, folder.path() / "figures");
+  const std::string text = read_file(folder.path() / "figures" / "table1.html");
+  EXPECT_EQ(text.find("<img"), std::string::npos);
+  EXPECT_NE(text.find("<th>U<sub>L</sub> [m/s]</th>"), std::string::npos) << text;
+  EXPECT_NE(text.find("0.1 &lt; 0.2"), std::string::npos);
+}
+
+TEST(Findings, SayWhenAClaimHasAnotherVerdict) {
+  FindingRow finding{"It rises.", "fig07", {{"lever.rise", Verdict::reproduced, Verdict::reproduced}}};
+  EXPECT_TRUE(finding.holds());
+  finding.claims.push_back({"lever.fall", Verdict::not_reproduced, Verdict::not_decidable});
+  EXPECT_FALSE(finding.holds());
 }
 
 TEST(ReadableRange, SaysOpenEnds) {

@@ -248,6 +248,14 @@ TEST_F(SecondWork, ItsFiguresAreDrawnAndReported) {
   EXPECT_NE(read_file(out() / "report" / "claims.html").find("fig07.missing"), std::string::npos);
 }
 
+TEST_F(SecondWork, ANamedFigureIsDrawnAlone) {
+  const std::string said = slfb({"figures", "fig06", "--no-run", "--out", out().string()});
+  EXPECT_NE(said.find("fig06.svg"), std::string::npos) << said;
+  EXPECT_TRUE(fs::exists(out() / "figures" / "fig06.svg"));
+  EXPECT_FALSE(fs::exists(out() / "figures" / "fig05.svg"));
+  EXPECT_FALSE(fs::exists(out() / "report"));
+}
+
 TEST_F(SecondWork, IsListed) {
   const std::string list = slfb({"list"});
   EXPECT_NE(list.find("fig05      2 claims  Figure of sand"), std::string::npos) << list;

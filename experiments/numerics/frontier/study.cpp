@@ -94,6 +94,12 @@ ReducedStudy load_file(const std::filesystem::path& file) {
 
 }  // namespace
 
+std::vector<studies::Trial> trials_of(const Study& study) {
+  std::vector<studies::Trial> trials = study.reference;
+  for (const StudyPoint& point : study.points) trials.insert(trials.end(), point.trials.begin(), point.trials.end());
+  return trials;
+}
+
 std::vector<std::filesystem::path> study_files() { return toml_files(folder() / "studies"); }
 
 std::filesystem::path study_file(const std::string& id) { return folder() / "studies" / (id + ".toml"); }
@@ -227,6 +233,15 @@ std::filesystem::path committed_file(const std::string& id) { return folder() / 
 
 std::filesystem::path reduced_file(const std::filesystem::path& out, const std::string& id) {
   return out / "frontier" / (id + ".json");
+}
+
+bool keep_if_whole(const Study& study, studies::Set set, const studies::TrialStore& store,
+                   const std::filesystem::path& out) {
+  if (!std::ranges::all_of(trials_of(study),
+                           [&](const studies::Trial& trial) { return store.find(trial).has_value(); }))
+    return false;
+  save_reduced(reduce(study, set, store), reduced_file(out, study.id));
+  return true;
 }
 
 void save_reduced(const ReducedStudy& reduced, const std::filesystem::path& file) {

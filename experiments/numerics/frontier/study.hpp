@@ -36,6 +36,8 @@ struct Study {
 /// \throws std::runtime_error with file, line and key, or with the setting that is wrong; std::invalid_argument for an
 /// unknown problem or quantity
 Study load_study(const std::filesystem::path& file, studies::Set set);
+/// Every trial of a study: those of its reference, then those of its points.
+std::vector<studies::Trial> trials_of(const Study& study);
 /// Files of all studies, by name.
 std::vector<std::filesystem::path> study_files();
 std::filesystem::path study_file(const std::string& id);
@@ -67,6 +69,10 @@ struct ReducedStudy : studies::SolvedSet {
 /// From the stored trials of the study to means, intervals and errors. Points without any trial are left out.
 ReducedStudy reduce(const Study& study, studies::Set set, const studies::TrialStore& store);
 
+/// Keeps the reduced result in `out`/frontier if every trial of the study is solved: half a study must not take the
+/// place of a whole one. Returns whether it did. Throws as save_reduced.
+bool keep_if_whole(const Study& study, studies::Set set, const studies::TrialStore& store,
+                   const std::filesystem::path& out);
 /// What is known of a study: what a run of this machine left in `out`/frontier, or the committed set where there is
 /// none, or where it is the full one and this machine's the quick one. Empty points when there is neither.
 ReducedStudy load_reduced(const Study& study, const std::filesystem::path& out);

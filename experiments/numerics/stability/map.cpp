@@ -1,15 +1,23 @@
 #include "experiments/numerics/stability/map.hpp"
 
+#include <fmt/chrono.h>
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cmath>
+#include <ctime>
+#include <exception>
+#include <fstream>
 #include <limits>
+#include <mutex>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
+#include <thread>
 
 #include "experiments/quantities/json_file.hpp"
+#include "experiments/runs/stop_signals.hpp"
 #include "solver/support/files.hpp"
 #include "solver/support/folders.hpp"
 #include "solver/support/toml_table.hpp"
@@ -213,6 +221,51 @@ std::optional<Boundary> find_boundary(const Map& map, const MapSeries& series, d
 }
 
 std::filesystem::path committed_file(const std::string& id) { return folder() / "results" / (id + ".json"); }
+
+std::size_t boundaries_of(const Map& map) { return map.series.size() * map.x_values.size(); }
+
+MapAnswer solve_map(const Map& map, studies::Set set, const std::filesystem::path& out, int jobs,
+                    const std::function<void(const Boundary&)>& found) {
+  MapAnswer answer{{{map.id, studies::name_of(set), "", fmt::format("{:%Y-%m-%d}", fmt::gmtime(std::time(nullptr))),
+                     numerics_version},
+                    {}}};
+  const studies::TrialStore store(out / "trials");
+  const StopSignals signals;
+  std::vector<std::optional<Boundary>> boundaries(boundaries_of(map));
+  std::atomic<std::size_t> next{0};
+  std::mutex mutex;
+  std::exception_ptr error;
+  const auto work = [&] {
+    for (std::size_t i = next++; i < boundaries.size(); i = next++) {
+      try {
+        boundaries[i] = find_boundary(map, map.series[i / map.x_values.size()], map.x_values[i % map.x_values.size()],
+                                      store, [&] { return signals.requested().load(); });
+        const std::lock_guard lock(mutex);
+        if (boundaries[i] && found) found(*boundaries[i]);
+      } catch (...) {
+        const std::lock_guard lock(mutex);
+        error = std::current_exception();
+        next = boundaries.size();
+      }
+    }
+  };
+  {
+    std::vector<std::jthread> threads;
+    for (int job = 0; job < jobs; ++job) threads.emplace_back(work);
+  }
+  if (error) std::rethrow_exception(error);
+  for (auto& boundary : boundaries) {
+    if (boundary)
+      answer.solved.boundaries.push_back(std::move(*boundary));
+    else
+      answer.whole = false;
+  }
+  if (answer.whole) {
+    std::filesystem::create_directories(out / "stability");
+    save_solved(answer.solved, solved_file(out, map.id));
+  }
+  return answer;
+}
 
 std::filesystem::path solved_file(const std::filesystem::path& out, const std::string& id) {
   return out / "stability" / (id + ".json");

@@ -90,6 +90,18 @@ struct SolvedMap : studies::SolvedSet {
 SolvedMap load_solved(const Map& map, const std::filesystem::path& out);
 /// This machine's quick set where load_solved gives the committed full one, to be drawn beside it; else empty.
 SolvedMap load_beside(const Map& map, const std::filesystem::path& out);
+/// Finds the boundaries of every method of a map, `jobs` side by side, and keeps them in `out`/stability; `found` is
+/// told of each, by one thread at a time. A signal (Ctrl-C) stops it: what was found is returned, `whole` is false and
+/// nothing is kept, since half a map must not take the place of a whole one. Throws what find_boundary and save_solved
+/// throw.
+struct MapAnswer {
+  SolvedMap solved;
+  bool whole = true;
+};
+MapAnswer solve_map(const Map& map, studies::Set set, const std::filesystem::path& out, int jobs,
+                    const std::function<void(const Boundary&)>& found);
+/// How many boundaries solve_map finds.
+std::size_t boundaries_of(const Map& map);
 /// Throws std::runtime_error that names the file if it cannot be written.
 void save_solved(const SolvedMap& solved, const std::filesystem::path& file);
 /// The committed result.

@@ -48,7 +48,7 @@ FigureOutput draw(const FigureContext& context) {
   PlotValues values;
   add_series("mean", mean, values, context, output);
   add_series("most", most, values, context, output);
-  draw_plot_of_runs("fig16", folder.plot(), values, {520, 620}, context, keys, own_springs);
+  draw_plot_of_runs("fig16", folder.plot(), values, {520, 620}, context, keys);
   return output;
 }
 

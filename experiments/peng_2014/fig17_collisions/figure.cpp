@@ -108,7 +108,7 @@ FigureOutput draw(const FigureContext& context) {
   values.text("description", run == nullptr ? "not yet simulated" : description);
   values.number("caption_velocity", caption_velocity);
   values.number("terminal", terminal);
-  draw_plot_of_runs("fig17", folder.plot(), values, {540, 760}, context, keys, own_springs);
+  draw_plot_of_runs("fig17", folder.plot(), values, {540, 760}, context, keys);
   return output;
 }
 

@@ -66,7 +66,7 @@ FigureOutput draw(const FigureContext& context) {
              variants_against_bed("fig19", "dimensionless_collision_frequency", "dimensionless collision frequency [-]",
                                   system_name, BedAbscissa::solid_fraction, context),
              values, context, output);
-  draw_plot_of_runs("fig19", folder.plot(), values, {520, 480}, context, keys, own_springs);
+  draw_plot_of_runs("fig19", folder.plot(), values, {520, 480}, context, keys);
   return output;
 }
 

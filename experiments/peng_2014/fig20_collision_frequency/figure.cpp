@@ -56,7 +56,7 @@ FigureOutput draw(const FigureContext& context) {
   }
   PlotValues values;
   add_series("simulated", simulated, values, context, output);
-  draw_plot_of_runs("fig20", folder.plot(), values, {560, 520}, context, keys, own_springs);
+  draw_plot_of_runs("fig20", folder.plot(), values, {560, 520}, context, keys);
   return output;
 }
 

@@ -97,7 +97,7 @@ FigureOutput draw(const FigureContext& context) {
   values.texts("remark", remarks);
   values.numbers("end", ends);
   values.files("force", forces);
-  draw_plot_of_runs("fig21", folder.plot(), values, {640, 620}, context, keys, own_springs);
+  draw_plot_of_runs("fig21", folder.plot(), values, {640, 620}, context, keys);
   return output;
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "experiments/figures/drawn_table.hpp"
 #include "experiments/figures/figure_folder.hpp"
@@ -17,6 +18,13 @@ namespace {
 
 using frontier::ReducedPoint;
 using frontier::SolvedStudy;
+
+const std::vector<std::pair<std::string, std::string>> headings{{"", "setting of the paper"},
+                                                                {"", "measured by"},
+                                                                {"", "the paper"},
+                                                                {"limit, or", "resolved"},
+                                                                {"of the limit,", "or change"},
+                                                                {"", ""}};
 
 const FigureFolder folder{"peng_2014/paper_steps"};
 
@@ -101,7 +109,7 @@ FigureOutput draw(const FigureContext& context) {
                                 solved.reduced.set, solved.reduced.date));
   }
   table.reject_others();
-  return draw_table("paper-steps", folder, rows, data, notes, 1110, context.out);
+  return draw_table("paper-steps", folder, {headings, std::move(rows)}, data, notes, 1110, context.out);
 }
 
 }  // namespace

@@ -1,6 +1,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <utility>
+
 #include "experiments/figures/drawn_table.hpp"
 #include "experiments/figures/figure_folder.hpp"
 #include "experiments/peng_2014/figures.hpp"
@@ -8,6 +10,15 @@
 
 namespace slfb::planned_figures {
 namespace {
+
+const std::vector<std::pair<std::string, std::string>> headings{{"", "figure"},
+                                                                {"", "cheapest rung"},
+                                                                {"springs, step of", "solids/liquid"},
+                                                                {"error", "of band"},
+                                                                {"planned", "[s/s]"},
+                                                                {"the paper", "[s/s]"},
+                                                                {"profile", "[s/s]"},
+                                                                {"", "the profile beside the plan"}};
 
 const FigureFolder folder{"peng_2014/planned_figures"};
 
@@ -29,7 +40,7 @@ FigureOutput draw(const FigureContext& context) {
     notes.push_back(
         fmt::format("{} asks for {}; nearest to its band: {}.", plan.figure, fmt::join(plan.asked, ", "), plan.worst));
   }
-  return draw_table("planned-figures", folder, rows, data, std::move(notes), 1040, context.out);
+  return draw_table("planned-figures", folder, {headings, std::move(rows)}, data, std::move(notes), 1040, context.out);
 }
 
 }  // namespace

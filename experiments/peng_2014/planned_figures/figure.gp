@@ -1,9 +1,6 @@
-# The cheapest rung for each figure. Reads the values that figure.cpp sets for figures/table.gp: cell, column_count and
+# The cheapest rung for each figure. Reads the values that figure.cpp sets for figures/table.gp: headings, cell, column_count and
 # the heights.
 array position[8] = [14, 130, 250, 490, 570, 650, 730, 755]
 array left[8] = [1, 1, 1, 0, 0, 0, 0, 1]
-array heading_1[8] = ['', '', 'springs, step of', 'error', 'planned', 'the paper', 'profile', '']
-array heading_2[8] = ['figure', 'cheapest rung', 'solids/liquid', 'of band', '[s/s]', '[s/s]', '[s/s]', \
-  'the profile beside the plan']
 array colour[8] = ['#14181d', '#14181d', '#14181d', '#14181d', ours, '#14181d', '#14181d', '#14181d']
 load '../../figures/table.gp'

@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <functional>
+#include <utility>
 
 #include "experiments/figures/drawn_table.hpp"
 #include "experiments/figures/figure_folder.hpp"
@@ -14,6 +15,9 @@
 
 namespace slfb::table1_conditions {
 namespace {
+
+const std::vector<std::pair<std::string, std::string>> headings{
+    {"", "condition"}, {"", "unit"}, {"paper,", "Table 1"}, {"here,", "6in5W"}, {"other numbers of", "the paper give"}};
 
 const FigureFolder folder{"peng_2014/table1_conditions"};
 
@@ -73,7 +77,8 @@ FigureOutput draw(const FigureContext& context) {
                     compact(needed)});
     table.rows.push_back({static_cast<double>(rows.size()), printed.value, ours, needed});
   }
-  return draw_table("table1", folder, rows, table, {"No simulation stands behind this picture."}, 690, context.out);
+  return draw_table("table1", folder, {headings, std::move(rows)}, table, {"No simulation stands behind this picture."},
+                    690, context.out);
 }
 
 }  // namespace

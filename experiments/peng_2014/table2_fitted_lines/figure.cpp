@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <utility>
 
 #include "experiments/figures/drawn_table.hpp"
 #include "experiments/figures/figure_folder.hpp"
@@ -11,6 +12,11 @@
 
 namespace slfb::table2_fitted_lines {
 namespace {
+
+const std::vector<std::pair<std::string, std::string>> headings{
+    {"U_L", "[m/s]"},      {"V_2 [m/s]", "paper"},     {"V_2 [m/s]", "ours"},
+    {"V_2", "difference"}, {"intercept [m]", "paper"}, {"intercept [m]", "ours"},
+    {"R² [-]", "paper"},   {"R² [-]", "ours"},         {"", "drops"}};
 
 const FigureFolder folder{"peng_2014/table2_fitted_lines"};
 
@@ -58,7 +64,8 @@ FigureOutput draw(const FigureContext& context) {
   }
   output.data.push_back(write_csv(table, context.out));
   PlotValues values;
-  const int height = add_table(rows, values);
+  output.table = {headings, std::move(rows)};
+  const int height = add_table(output.table, values);
   draw_plot_of_runs("table2", folder.plot(), values, {760, height}, context, keys);
   return output;
 }

@@ -12,6 +12,13 @@ using frontier::percent;
 using frontier::ReducedPoint;
 using frontier::SolvedStudy;
 
+const std::vector<std::pair<std::string, std::string>> headings{{"", "study"},
+                                                                {"", "default, at"},
+                                                                {"", "quantity"},
+                                                                {"", "error"},
+                                                                {"best of what", "is cheaper"},
+                                                                {"cheapest of what", "is better"}};
+
 const FigureFolder folder{"numerics/frontier/default_knees"};
 
 /// "0.4 of the cost: 12 ± 3 %": the best of what is cheaper, or the cheapest of what is better.
@@ -62,7 +69,7 @@ FigureOutput draw(const FigureContext& context) {
       first = false;
     }
   }
-  return draw_table("default-knees", folder, rows, data, notes, 1184, context.out);
+  return draw_table("default-knees", folder, {headings, std::move(rows)}, data, notes, 1184, context.out);
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
 
 #include "experiments/figures/drawn_table.hpp"
 #include "experiments/figures/figure_folder.hpp"
@@ -16,6 +17,9 @@ namespace {
 using frontier::percent;
 using frontier::ReducedPoint;
 using frontier::SolvedStudy;
+
+const std::vector<std::pair<std::string, std::string>> headings{{"", "asked"}, {"", "answered by"}, {"", "error"},
+                                                                {"", "band"},  {"", "CPU"},         {"", "verdict"}};
 
 const FigureFolder folder{"numerics/plan/less_is_enough"};
 
@@ -55,7 +59,7 @@ FigureOutput draw(const FigureContext& context) {
     data.rows.push_back({static_cast<double>(rows.size()), error->value, error->half_width, band, point->cpu_seconds});
   }
   table.reject_others();
-  return draw_table("less-is-enough", folder, rows, data, notes, 1090, context.out);
+  return draw_table("less-is-enough", folder, {headings, std::move(rows)}, data, notes, 1090, context.out);
 }
 
 }  // namespace

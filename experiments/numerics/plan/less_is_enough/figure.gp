@@ -1,8 +1,6 @@
-# Cheap answers beside their bands. Reads the values that figure.cpp sets for figures/table.gp: cell, column_count and
+# Cheap answers beside their bands. Reads the values that figure.cpp sets for figures/table.gp: headings, cell, column_count and
 # the heights.
 array position[6] = [14, 250, 720, 790, 890, 910]
 array left[6] = [1, 1, 0, 0, 0, 1]
-array heading_1[6] = ['', '', '', '', '', '']
-array heading_2[6] = ['asked', 'answered by', 'error', 'band', 'CPU', '']
 array colour[6] = ['#14181d', '#14181d', ours, '#14181d', '#14181d', '#14181d']
 load '../../../figures/table.gp'

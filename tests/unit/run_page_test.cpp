@@ -1,0 +1,82 @@
+#include "experiments/figures/run_page.hpp"
+
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+#include <pugixml.hpp>
+#include <set>
+#include <string>
+
+#include "solver/dem/particles.hpp"
+#include "solver/io/vtkhdf.hpp"
+#include "solver/support/files.hpp"
+#include "tests/temporary_folder.hpp"
+#include "tests/unit/synthetic_runs.hpp"
+
+namespace slfb {
+namespace {
+
+namespace fs = std::filesystem;
+
+pugi::xml_document parsed(const fs::path& page) {
+  pugi::xml_document document;
+  const auto result = document.load_file(page.c_str(), pugi::parse_default, pugi::encoding_utf8);
+  EXPECT_TRUE(result) << result.description();
+  return document;
+}
+
+TEST(RunPage, ShowsEveryPlotOfWhatWasRecorded) {
+  const Folder folder;
+  const FinishedRun run = synthetic::runs(synthetic::profile()).front();
+  const fs::path page = write_run_page(run.scene, run.result, general_rules(), folder.path() / "page");
+  const auto document = parsed(page);
+  std::set<std::string> pictures;
+  for (const auto& found : document.select_nodes("//img/@src")) pictures.insert(found.attribute().value());
+  for (const char* picture : {"heights.svg", "pressure.svg", "track.svg", "spheres.svg"})
+    EXPECT_TRUE(pictures.contains(picture)) << picture;
+  for (const std::string& picture : pictures) EXPECT_TRUE(fs::exists(page.parent_path() / picture)) << picture;
+}
+
+TEST(RunPage, SaysWhatWasNotRecorded) {
+  const Folder folder;
+  RunResult nothing;
+  nothing.name = "0123456789abcdef";
+  const std::string page = read_file(write_run_page(synthetic::scene(0.1), nothing, general_rules(), folder.path()));
+  EXPECT_EQ(page.find("<img"), std::string::npos);
+  for (const char* reason : {"No sphere was dropped", "No samples of the bed", "No positions of the spheres"})
+    EXPECT_NE(page.find(reason), std::string::npos) << reason;
+}
+
+TEST(Snapshots, AreThoseForParaViewInOrderOfTime) {
+  const Folder folder;
+  dem::Particles particles;
+  particles.add({0.001, 0.002, 0.003}, 0.0025, 2230.0, 0);
+  particles.add({0.004, 0.005, 0.006}, 0.003, 7800.0, 1);
+  const fs::path snapshots = folder.path() / "snapshots";
+  fs::create_directories(snapshots);
+  for (const double time : {10.5, 2.25}) {
+    io::write_particles_vtkhdf(io::snapshot_file(snapshots, "particles", time), particles, time);
+    io::write_snapshot_series(snapshots, "particles");
+  }
+  const auto read = snapshots_of({}, folder.path());
+  ASSERT_EQ(read.size(), 2U);
+  EXPECT_DOUBLE_EQ(read[0].time, 2.25);
+  EXPECT_DOUBLE_EQ(read[1].time, 10.5);
+  EXPECT_EQ(read[0].foreign, 1);
+  EXPECT_FLOAT_EQ(static_cast<float>(read[0].z[1]), 0.006F);
+  const auto series = nlohmann::json::parse(read_file(snapshots / "particles.hdf.series"));
+  ASSERT_EQ(series.at("files").size(), 2U);
+  EXPECT_DOUBLE_EQ(series.at("files").at(0).at("time"), 2.25);
+  EXPECT_TRUE(fs::exists(snapshots / series.at("files").at(1).at("name").get<std::string>()));
+}
+
+TEST(Frames, AreOneForEachSnapshot) {
+  const Folder folder;
+  const std::vector<Snapshot> snapshots{synthetic::snapshot("enters", 0.2), synthetic::snapshot("halfway", 0.1)};
+  EXPECT_EQ(draw_frames(synthetic::scene(0.1), snapshots, folder.path()), 2U);
+  EXPECT_TRUE(fs::exists(folder.path() / "frame_0000.png"));
+  EXPECT_TRUE(fs::exists(folder.path() / "frame_0001.png"));
+}
+
+}  // namespace
+}  // namespace slfb
