@@ -122,6 +122,7 @@ int make_figures(const Work& work, const Options& options) {
 
   const auto report_folder = options.out / "report";
   auto reported = judgement.runs;
+  reported.insert(reported.end(), judgement.left_out.begin(), judgement.left_out.end());
   for (const std::string& own : work.read_by_figures)
     if (profile.name != own)
       for (auto& run : finished_runs(load_profile(work, own), options.out)) reported.push_back(std::move(run));
@@ -130,10 +131,7 @@ int make_figures(const Work& work, const Options& options) {
 
   for (const Figure* figure : chosen)
     fmt::print("{}  {:<62}{}\n", figure->id, figure->title, (figures_folder / (figure->id + ".svg")).string());
-  const auto& evaluations = judgement.evaluations;
-  const ClaimCounts counts = count(evaluations);
-  fmt::print("\n{} claims: {} reproduced, {} not reproduced, {} not decidable\nreport: {}\n", evaluations.size(),
-             counts.reproduced, counts.not_reproduced, counts.not_decidable, (report_folder / "index.html").string());
+  fmt::print("\n{}\nreport: {}\n", counts_text(judgement.evaluations), (report_folder / "index.html").string());
   if (outcome.unfinished() > 0)
     fmt::print(stderr, "{} simulation{} did not finish; the figures show what exists. The same command goes on.\n",
                outcome.unfinished(), outcome.unfinished() == 1 ? "" : "s");
