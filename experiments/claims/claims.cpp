@@ -4,7 +4,9 @@
 #include <gsl/gsl_cdf.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <map>
 #include <nlohmann/json.hpp>
@@ -12,6 +14,8 @@
 #include <set>
 #include <sstream>
 #include <stdexcept>
+#include <tuple>
+#include <utility>
 
 #include "experiments/quantities/analysis.hpp"
 #include "experiments/quantities/json_file.hpp"
@@ -25,7 +29,9 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 /// One claim being read.
 class ClaimReader {
  public:
-  ClaimReader(TomlTable& table, const ReferenceNumbers& reference) : table_(table), reference_(reference) {}
+  /// `readings`: names of what `measure` and `other_measure` read.
+  ClaimReader(TomlTable& table, const ReferenceNumbers& reference, std::array<std::string, 2> readings)
+      : table_(table), reference_(reference), readings_(std::move(readings)) {}
 
   Claim read() {
     Claim claim;
@@ -39,6 +45,10 @@ class ClaimReader {
     if (claim.unit.empty()) throw problem("unit", "is missing and no reference value gives one");
     if (claim.source.empty()) throw problem("source", "is missing and no reference value gives one");
     read_measures(claim);
+    read_other_measures(claim);
+    claim.origin = choice<Origin>("origin", {{"paper", Origin::paper}, {"arithmetic", Origin::arithmetic}});
+    claim.printed_from =
+        choice<PrintedFrom>("printed_from", {{"mean", PrintedFrom::mean}, {"one drop", PrintedFrom::one_drop}});
     read_regression(claim);
     table_.reject_others();
     return claim;
@@ -47,6 +57,35 @@ class ClaimReader {
  private:
   [[nodiscard]] std::runtime_error problem(const std::string& key, const std::string& message) const {
     return table_.problem(key, fmt::format("claim {}: {}", id_, message));
+  }
+
+  /// One of the words; the first where the key is left out.
+  template <class Choice>
+  Choice choice(const std::string& key, const std::vector<std::pair<std::string, Choice>>& words) const {
+    const std::string given = table_.text(key, words.front().first);
+    for (const auto& [word, meaning] : words)
+      if (given == word) return meaning;
+    throw problem(key, fmt::format("\"{}\" is neither \"{}\" nor \"{}\"", given, words[0].first, words[1].first));
+  }
+
+  std::vector<MeasureKey> measures_of(const std::string& key) const {
+    std::vector<MeasureKey> measures;
+    for (const std::string& measure : table_.text_or_texts(key)) try {
+        measures.push_back(parse_measure_key(measure));
+      } catch (const std::invalid_argument& error) {
+        throw problem(key, error.what());
+      }
+    return measures;
+  }
+
+  void read_other_measures(Claim& claim) const {
+    if (!table_.has("other_measure")) return;
+    claim.other_measures = measures_of("other_measure");
+    if (claim.other_measures.size() != claim.measures.size())
+      throw problem("other_measure", "needs as many measures as \"measure\"");
+    if (readings_[0].empty() || readings_[1].empty())
+      throw problem("other_measure", "needs \"measure_is\" and \"other_measure_is\" at the top of the file");
+    std::tie(claim.reading, claim.other_reading) = std::tie(readings_[0], readings_[1]);
   }
 
   /// Relative or absolute half-width of a band around `value`.
@@ -100,6 +139,7 @@ class ClaimReader {
     const ReferenceValue& last = reference(key, ids.back());
     claim.paper = first.value;
     claim.paper_upper = last.value;
+    claim.paper_uncertainty = first.uncertainty;
     claim.unit = first.unit;
     claim.source = first.source;
 
@@ -117,11 +157,7 @@ class ClaimReader {
                                                              {"largest_magnitude", Reduction::largest_magnitude},
                                                              {"ratio", Reduction::ratio},
                                                              {"relative_spread", Reduction::relative_spread}};
-    for (const std::string& measure : table_.text_or_texts("measure")) try {
-        claim.measures.push_back(parse_measure_key(measure));
-      } catch (const std::invalid_argument& error) {
-        throw problem("measure", error.what());
-      }
+    claim.measures = measures_of("measure");
     if (claim.measures.empty() && claim.undecidable.empty()) throw problem("measure", "is missing");
     if (const std::string name = table_.text("reduce", ""); !name.empty()) {
       const auto found = reductions.find(name);
@@ -150,6 +186,7 @@ class ClaimReader {
 
   TomlTable& table_;
   const ReferenceNumbers& reference_;
+  std::array<std::string, 2> readings_;
   std::string id_;
 };
 
@@ -166,24 +203,58 @@ bool is_trend(const Claim& claim) {
   return claim.kind == StatementKind::increasing || claim.kind == StatementKind::decreasing;
 }
 
-/// Several measurements as one number with its half-width.
+/// Half-width at a level of confidence that `trials` comparisons share (Šidák 1967), over the plain one.
+double widening(std::size_t trials, std::size_t samples) {
+  if (trials < 2) return 1.0;
+  const double freedom = static_cast<double>(std::max<std::size_t>(2, samples)) - 1.0;
+  const double level = 1.0 - std::pow(0.95, 1.0 / static_cast<double>(trials));
+  return gsl_cdf_tdist_Qinv(0.5 * level, freedom) / gsl_cdf_tdist_Qinv(0.025, freedom);
+}
+
+/// The largest of several means. The largest of n noisy numbers is large by chance: it is below what any of n numbers
+/// may be at a level that all of them share, and above every single lower end.
+Measurement largest_of(const std::vector<Measurement>& values) {
+  Measurement result = *std::ranges::max_element(values, {}, &Measurement::value);
+  double lower = -infinity, upper = -infinity;
+  for (const Measurement& value : values) {
+    const double wider = widening(values.size(), value.samples);
+    lower = std::max(lower, std::max(value.lowest, value.value - wider * (value.value - value.lower())));
+    upper = std::max(upper, value.upper());
+  }
+  result.interval = {lower, upper};
+  return result;
+}
+
+Measurement negated(Measurement value) {
+  value.value = -value.value;
+  if (value.interval) value.interval = {-value.interval->second, -value.interval->first};
+  std::tie(value.lowest, value.highest) = std::pair{-value.highest, -value.lowest};
+  return value;
+}
+
+Measurement magnitude_of(const Measurement& value) {
+  Measurement result = value.value < 0.0 ? negated(value) : value;
+  if (result.has_interval())
+    result.interval = {std::max(0.0, result.lower()), std::max(-result.lower(), result.upper())};
+  return result;
+}
+
+/// Several measurements as one number with its interval.
 Measurement reduce(Reduction reduction, const std::vector<Measurement>& values) {
-  const auto by_value = [](const Measurement& a, const Measurement& b) { return a.value < b.value; };
-  const auto by_magnitude = [](const Measurement& a, const Measurement& b) {
-    return std::abs(a.value) < std::abs(b.value);
+  const auto mapped = [&](auto change) {
+    std::vector<Measurement> changed;
+    std::ranges::transform(values, std::back_inserter(changed), change);
+    return changed;
   };
   switch (reduction) {
     case Reduction::single:
       return values.front();
     case Reduction::largest:
-      return *std::max_element(values.begin(), values.end(), by_value);
+      return largest_of(values);
     case Reduction::smallest:
-      return *std::min_element(values.begin(), values.end(), by_value);
-    case Reduction::largest_magnitude: {
-      Measurement result = *std::max_element(values.begin(), values.end(), by_magnitude);
-      result.value = std::abs(result.value);
-      return result;
-    }
+      return negated(largest_of(mapped(negated)));
+    case Reduction::largest_magnitude:
+      return largest_of(mapped(magnitude_of));
     case Reduction::ratio: {
       Measurement result = values[0];
       result.value = values[0].value / values[1].value;
@@ -192,17 +263,30 @@ Measurement reduce(Reduction reduction, const std::vector<Measurement>& values) 
       return result;
     }
     case Reduction::relative_spread: {
-      const auto [lowest, highest] = std::minmax_element(values.begin(), values.end(), by_value);
+      const auto [lowest, highest] = std::ranges::minmax_element(values, {}, &Measurement::value);
       double sum = 0.0;
       for (const Measurement& value : values) sum += value.value;
       const double mean = sum / static_cast<double>(values.size());
       Measurement result = *highest;
       result.value = (highest->value - lowest->value) / mean;
       result.half_width = std::hypot(highest->half_width, lowest->half_width) / mean;
+      result.lowest = 0.0;
       return result;
     }
   }
   throw std::logic_error("reduce: unknown reduction");
+}
+
+void undecided(Evaluation& evaluation, Lack lack, std::string reason) {
+  evaluation.verdict = Verdict::not_decidable;
+  evaluation.lack = lack;
+  evaluation.reason = std::move(reason);
+}
+
+void decided(Evaluation& evaluation, Verdict verdict, std::string reason) {
+  evaluation.verdict = verdict;
+  evaluation.lack = Lack::nothing;
+  evaluation.reason = std::move(reason);
 }
 
 /// Change from the first measurement to the last, and the verdict of the rule in reference-data/README.md.
@@ -211,29 +295,31 @@ void judge_trend(Evaluation& evaluation, const std::vector<Measurement>& values)
   const double change = values.back().value - values.front().value;
   const double half_width = std::hypot(values.back().half_width, values.front().half_width);
   evaluation.ours = change;
-  if (std::any_of(values.begin(), values.end(), [](const Measurement& m) { return std::isnan(m.half_width); })) {
-    evaluation.reason = "one sample only, so no interval";
+  if (std::ranges::any_of(values, [](const Measurement& m) { return std::isnan(m.half_width); })) {
+    undecided(evaluation, Lack::more_samples, "one sample only, so no interval");
     return;
   }
   evaluation.interval = {change - half_width, change + half_width};
   for (std::size_t i = 1; i < values.size(); ++i) {
     const double step = sign * (values[i].value - values[i - 1].value);
-    if (step < -std::hypot(values[i].half_width, values[i - 1].half_width)) {
-      evaluation.verdict = Verdict::not_reproduced;
-      evaluation.reason =
-          fmt::format("from {} to {} the change is in the other direction", to_string(evaluation.claim.measures[i - 1]),
-                      to_string(evaluation.claim.measures[i]));
+    const auto chance = [&](const Measurement& value) {
+      return value.half_width * widening(values.size() - 1, value.samples);
+    };
+    if (step < -std::hypot(chance(values[i]), chance(values[i - 1]))) {
+      decided(evaluation, Verdict::not_reproduced,
+              fmt::format("from {} to {} the change is in the other direction",
+                          to_string(evaluation.claim.measures[i - 1]), to_string(evaluation.claim.measures[i])));
       return;
     }
   }
   if (sign * change > half_width) {
-    evaluation.verdict = Verdict::reproduced;
-    evaluation.reason = "no step goes the other way beyond its interval";
+    decided(evaluation, Verdict::reproduced, "no step goes the other way beyond its interval");
+  } else if (sign * change < -half_width) {
+    decided(evaluation, Verdict::not_reproduced, "the change is in the other direction");
   } else if (half_width == 0.0) {
-    evaluation.verdict = Verdict::not_reproduced;
-    evaluation.reason = "there is no change";
+    decided(evaluation, Verdict::not_reproduced, "there is no change");
   } else {
-    evaluation.reason = "the change is smaller than its interval";
+    undecided(evaluation, Lack::more_samples, "the change is smaller than its interval");
   }
 }
 
@@ -269,23 +355,151 @@ void judge_band(Evaluation& evaluation, const Measurement& measurement) {
   }
   const Band band = *evaluation.claim.paper_band;
   const bool inside = band.contains(measurement.value);
-  if (std::isnan(measurement.half_width)) {
-    evaluation.reason =
-        fmt::format("one sample only, so no interval; the value lies {} the band", inside ? "inside" : "outside");
+  const double lower = measurement.lower(), upper = measurement.upper();
+  if (!measurement.has_interval() || std::isnan(lower) || std::isnan(upper)) {
+    undecided(
+        evaluation, Lack::more_samples,
+        fmt::format("one sample only, so no interval; the value lies {} the band", inside ? "inside" : "outside"));
     return;
   }
-  const double lower = measurement.value - measurement.half_width;
-  const double upper = measurement.value + measurement.half_width;
   evaluation.interval = {lower, upper};
+  const bool exact = lower == upper;
   if (band.contains(lower) && band.contains(upper)) {
-    evaluation.verdict = Verdict::reproduced;
-    evaluation.reason = measurement.half_width > 0.0 ? "the whole interval lies in the band" : "inside the band";
+    decided(evaluation, Verdict::reproduced, exact ? "inside the band" : "the whole interval lies in the band");
   } else if (upper < band.lower || lower > band.upper) {
-    evaluation.verdict = Verdict::not_reproduced;
-    evaluation.reason = measurement.half_width > 0.0 ? "the whole interval lies outside the band" : "outside the band";
+    decided(evaluation, Verdict::not_reproduced,
+            exact ? "outside the band" : "the whole interval lies outside the band");
   } else {
-    evaluation.reason = "the interval straddles the edge of the band: more samples are needed";
+    undecided(evaluation, Lack::more_samples, "the interval straddles the edge of the band: more samples are needed");
   }
+}
+
+/// What one more drop would give: our mean is known with an error, and a drop scatters about it.
+class OneDrop {
+ public:
+  explicit OneDrop(const Measurement& measured)
+      : mean_(measured.value),
+        scatter_(measured.scatter),
+        error_(standard_error(measured.half_width, measured.samples)),
+        freedom_(static_cast<double>(measured.samples) - 1.0),
+        lowest_(measured.lowest),
+        highest_(measured.highest) {}
+
+  /// Whether the drops of a measurement have a scatter.
+  static bool known(const Measurement& measured) {
+    return measured.scatter >= 0.0 && measured.half_width >= 0.0 && measured.samples >= 2;
+  }
+
+  [[nodiscard]] double mean() const { return mean_; }
+  /// Half-widths: of the mean, of a drop about the mean, and of a drop about our estimate of it.
+  [[nodiscard]] double of_mean() const { return quantile() * error_; }
+  [[nodiscard]] double of_drop() const { return gsl_cdf_ugaussian_Pinv(0.975) * scatter_; }
+  [[nodiscard]] double of_prediction() const { return quantile() * spread(); }
+
+  /// Probability that a drop gives no more than `value`.
+  [[nodiscard]] double probability_up_to(double value) const {
+    if (value >= highest_) return 1.0;
+    if (value < lowest_) return 0.0;
+    if (!(spread() > 0.0)) return value >= mean_ ? 1.0 : 0.0;
+    return gsl_cdf_tdist_P((value - mean_) / spread(), freedom_);
+  }
+  [[nodiscard]] double probability_within(const Band& band) const {
+    return probability_up_to(band.upper) - (std::isfinite(band.lower) ? probability_up_to(band.lower) : 0.0);
+  }
+
+ private:
+  [[nodiscard]] double quantile() const { return gsl_cdf_tdist_Pinv(0.975, freedom_); }
+  [[nodiscard]] double spread() const { return std::hypot(scatter_, error_); }
+
+  double mean_, scatter_, error_, freedom_, lowest_, highest_;
+};
+
+/// A printed value that is one drop: is it one that our drops give?
+void judge_one_value(Evaluation& evaluation, const Measurement& measurement) {
+  const Claim& claim = evaluation.claim;
+  const OneDrop drop(measurement);
+  evaluation.ours = drop.mean();
+  evaluation.deviation = deviation_of(claim, drop.mean());
+  evaluation.interval = {std::max(measurement.lowest, drop.mean() - drop.of_prediction()),
+                         std::min(measurement.highest, drop.mean() + drop.of_prediction())};
+  const double distance = std::max(0.0, std::abs(claim.paper - drop.mean()) - claim.paper_uncertainty);
+  const double farthest = std::max(std::abs(claim.paper_band->upper - claim.paper), claim.paper_uncertainty);
+  if (distance > drop.of_prediction()) {
+    decided(evaluation, Verdict::not_reproduced, "the printed drop lies outside the interval of one drop of ours");
+  } else if (distance + drop.of_mean() > std::max(drop.of_drop(), 0.0)) {
+    undecided(evaluation, Lack::more_samples,
+              "the printed drop lies within the interval of one drop of ours, but our mean is not known well enough to "
+              "say that it is one of them: more drops are needed");
+  } else if (std::abs(claim.paper - drop.mean()) + drop.of_mean() > farthest) {
+    undecided(evaluation, Lack::paper,
+              "the printed drop is one that ours give, but ours scatter so much that a mean outside the band gives it "
+              "too: one printed drop cannot tell");
+  } else {
+    decided(evaluation, Verdict::reproduced, "the printed drop is one that ours give, and our mean lies in the band");
+  }
+}
+
+/// Probability that single drops, one of each measurement, reduced to one number, give no more than `value`: the
+/// largest of n drops is judged by the distribution of the largest of n.
+double probability_up_to(Reduction reduction, const std::vector<OneDrop>& drops, double value) {
+  double all_below = 1.0, all_above = 1.0, all_within = 1.0;
+  for (const OneDrop& drop : drops) {
+    const double below = drop.probability_up_to(value);
+    all_below *= below;
+    all_above *= 1.0 - below;
+    all_within *= value < 0.0 ? 0.0 : drop.probability_within({-value, value});
+  }
+  return reduction == Reduction::smallest            ? 1.0 - all_above
+         : reduction == Reduction::largest_magnitude ? all_within
+                                                     : all_below;
+}
+
+/// Its central 95 %.
+std::pair<double, double> interval_of_drops(Reduction reduction, const std::vector<OneDrop>& drops) {
+  double farthest = 0.0;
+  for (const OneDrop& drop : drops) farthest = std::max(farthest, std::abs(drop.mean()) + 20.0 * drop.of_prediction());
+  const auto quantile = [&](double level) {
+    double below = -farthest, above = farthest;
+    for (int step = 0; step < 100; ++step) {
+      const double middle = 0.5 * (below + above);
+      (probability_up_to(reduction, drops, middle) < level ? below : above) = middle;
+    }
+    return above;
+  };
+  return {quantile(0.025), quantile(0.975)};
+}
+
+/// Bounds on printed drops, one of each measurement: how often would drops of ours keep them?
+void judge_bound_on_drops(Evaluation& evaluation, const std::vector<Measurement>& values) {
+  const Claim& claim = evaluation.claim;
+  const std::vector<OneDrop> drops(values.begin(), values.end());
+  const Band band = *claim.paper_band;
+  const double probability = (std::isfinite(band.upper) ? probability_up_to(claim.reduction, drops, band.upper) : 1.0) -
+                             (std::isfinite(band.lower) ? probability_up_to(claim.reduction, drops, band.lower) : 0.0);
+  evaluation.interval = interval_of_drops(claim.reduction, drops);
+  evaluation.ours = reduce(claim.reduction, values).value;
+  evaluation.deviation = deviation_of(claim, *evaluation.ours);
+  const std::string how_often =
+      fmt::format("{} of ours would lie in the band with probability {:.2g}",
+                  values.size() == 1 ? "one drop" : fmt::format("the extreme of {} drops", values.size()), probability);
+  constexpr double ordinary = 0.5, excluded = 0.05;
+  if (probability >= ordinary) {
+    decided(evaluation, Verdict::reproduced, how_often);
+  } else if (probability < excluded) {
+    decided(evaluation, Verdict::not_reproduced, how_often);
+  } else {
+    undecided(evaluation, Lack::paper, how_often + ": what was printed once is neither ordinary nor excluded");
+  }
+}
+
+/// Printed numbers of single drops. Where our drops have no scatter (one only, or a median of drops of which some had
+/// not arrived), the band decides.
+void judge_drops(Evaluation& evaluation, const std::vector<Measurement>& values) {
+  if (!std::ranges::all_of(values, OneDrop::known))
+    return judge_band(evaluation, reduce(evaluation.claim.reduction, values));
+  if (evaluation.claim.kind == StatementKind::value && values.size() == 1)
+    return judge_one_value(evaluation, values[0]);
+  judge_bound_on_drops(evaluation, values);
 }
 
 void judge_gate(Evaluation& evaluation) {
@@ -324,12 +538,16 @@ std::string missing_text(const Claim& claim, const MeasureKey& measure, const Me
   return (simulated ? "simulated, but without such a number: " : "not yet simulated: ") + text;
 }
 
-Evaluation evaluate_claim(const Claim& claim, const Measurements& measurements) {
+/// The statement with these measures, without its gate.
+Evaluation judge_reading(const Claim& claim, const std::vector<MeasureKey>& measures,
+                         const Measurements& measurements) {
   Evaluation evaluation;
   evaluation.claim = claim;
+  evaluation.claim.measures = measures;
   std::vector<Measurement> values;
-  std::string missing;
-  for (const MeasureKey& measure : claim.measures) {
+  std::string missing, remarks;
+  std::set<std::string> remarked;
+  for (const MeasureKey& measure : measures) {
     const auto keys = expand(measure, measurements);
     bool found = !keys.empty();
     for (const MeasureKey& key : keys) {
@@ -338,6 +556,8 @@ Evaluation evaluate_claim(const Claim& claim, const Measurements& measurements) 
         found = false;
       } else {
         values.push_back(entry->second);
+        if (const std::string& remark = entry->second.remark; !remark.empty() && remarked.insert(remark).second)
+          remarks += "; " + remark;
       }
     }
     if (found) continue;
@@ -345,21 +565,50 @@ Evaluation evaluate_claim(const Claim& claim, const Measurements& measurements) 
   }
 
   if (!missing.empty()) {
-    evaluation.reason = missing;
-  } else if (claim.measures.empty()) {
-    evaluation.reason = claim.undecidable;
+    undecided(evaluation, Lack::run, missing);
+  } else if (measures.empty()) {
+    undecided(evaluation, Lack::paper, claim.undecidable);
   } else if (of_both(values, Springs::own, Springs::softened)) {
-    evaluation.reason =
-        "runs with the paper's springs would be compared with softened ones: more of the former are needed";
+    undecided(evaluation, Lack::run,
+              "runs with the paper's springs would be compared with softened ones: more of the former are needed");
   } else if (is_trend(claim)) {
     judge_trend(evaluation, values);
+  } else if (claim.printed_from == PrintedFrom::one_drop) {
+    judge_drops(evaluation, values);
   } else {
     judge_band(evaluation, reduce(claim.reduction, values));
   }
-  if (!claim.undecidable.empty()) {
-    evaluation.verdict = Verdict::not_decidable;
-    evaluation.reason = claim.undecidable;
-  }
+  if (evaluation.lack == Lack::more_samples && !std::ranges::all_of(values, &Measurement::steady))
+    evaluation.lack = Lack::steadiness;
+  evaluation.reason += remarks;
+  evaluation.claim = claim;
+  return evaluation;
+}
+
+/// Both readings of a claim whose abscissa is not said: where they agree, or where only one can be judged, that is the
+/// verdict; where they do not, the paper does not say enough.
+Evaluation judge_both(const Claim& claim, const Measurements& measurements) {
+  Evaluation one = judge_reading(claim, claim.measures, measurements);
+  if (claim.other_measures.empty()) return one;
+  const Evaluation other = judge_reading(claim, claim.other_measures, measurements);
+  const auto account = [](const std::string& reading, const Evaluation& evaluation) {
+    return fmt::format("at {}: {}{} ({})", reading,
+                       evaluation.ours ? fmt::format("{:.4g}, ", *evaluation.ours) : std::string(),
+                       to_string(evaluation.verdict), evaluation.reason);
+  };
+  const std::string reason = fmt::format("{}; {}", account(claim.reading, one), account(claim.other_reading, other));
+  const bool only_other = one.verdict == Verdict::not_decidable && other.verdict != Verdict::not_decidable;
+  const bool differ =
+      one.verdict != Verdict::not_decidable && other.verdict != Verdict::not_decidable && one.verdict != other.verdict;
+  if (only_other || (!one.ours && other.ours)) one = other;
+  one.reason = reason;
+  if (differ) undecided(one, Lack::paper, "it hangs on whose voidage is meant: " + reason);
+  return one;
+}
+
+Evaluation evaluate_claim(const Claim& claim, const Measurements& measurements) {
+  Evaluation evaluation = judge_both(claim, measurements);
+  if (!claim.undecidable.empty()) undecided(evaluation, Lack::paper, claim.undecidable);
   judge_gate(evaluation);
   return evaluation;
 }
@@ -436,6 +685,24 @@ std::string_view to_string(Gate gate) {
   throw std::logic_error("to_string: unknown gate");
 }
 
+std::string_view to_string(Origin origin) { return origin == Origin::paper ? "paper" : "arithmetic"; }
+
+std::string_view to_string(Lack lack) {
+  switch (lack) {
+    case Lack::nothing:
+      return "nothing";
+    case Lack::paper:
+      return "paper";
+    case Lack::run:
+      return "run";
+    case Lack::steadiness:
+      return "steady bed";
+    case Lack::more_samples:
+      return "samples";
+  }
+  throw std::logic_error("to_string: unknown lack");
+}
+
 std::string Claim::paper_text() const {
   switch (kind) {
     case StatementKind::value:
@@ -470,8 +737,9 @@ std::vector<Claim> load_claims(const std::filesystem::path& file, const Referenc
   TomlTable root(document, file.string());
   std::vector<Claim> claims;
   std::set<std::string> ids;
+  const std::array<std::string, 2> readings{root.text("measure_is", ""), root.text("other_measure_is", "")};
   for (TomlTable& entry : root.tables("claim")) {
-    Claim claim = ClaimReader(entry, reference).read();
+    Claim claim = ClaimReader(entry, reference, readings).read();
     claim.systems = systems;
     if (!ids.insert(claim.id).second) throw entry.problem("id", fmt::format("claim {} occurs twice", claim.id));
     claims.push_back(std::move(claim));
@@ -488,9 +756,12 @@ std::vector<Evaluation> evaluate(const std::vector<Claim>& claims, const Measure
   return evaluations;
 }
 
-ClaimCounts count(const std::vector<Evaluation>& evaluations) {
+namespace {
+
+ClaimCounts count_of(const std::vector<Evaluation>& evaluations, std::optional<Origin> wanted) {
   ClaimCounts counts;
   for (const Evaluation& evaluation : evaluations) {
+    if (wanted && evaluation.claim.origin != *wanted) continue;
     counts.reproduced += evaluation.verdict == Verdict::reproduced;
     counts.not_reproduced += evaluation.verdict == Verdict::not_reproduced;
     counts.not_decidable += evaluation.verdict == Verdict::not_decidable;
@@ -498,6 +769,26 @@ ClaimCounts count(const std::vector<Evaluation>& evaluations) {
     counts.gates_broken += evaluation.gate == Gate::broken;
   }
   return counts;
+}
+
+}  // namespace
+
+ClaimCounts count(const std::vector<Evaluation>& evaluations) { return count_of(evaluations, std::nullopt); }
+ClaimCounts count(const std::vector<Evaluation>& evaluations, Origin origin) { return count_of(evaluations, origin); }
+
+std::string counts_text(const std::vector<Evaluation>& evaluations) {
+  const ClaimCounts all_counts = count(evaluations);
+  std::string text = fmt::format("{} claims: {} reproduced, {} not reproduced, {} not decidable", evaluations.size(),
+                                 all_counts.reproduced, all_counts.not_reproduced, all_counts.not_decidable);
+  for (const auto& [origin, title] : {std::pair{Origin::paper, "statements of the paper"},
+                                      {Origin::arithmetic, "checks by arithmetic, laws and probes"}}) {
+    const ClaimCounts counts = count(evaluations, origin);
+    const std::size_t all = counts.reproduced + counts.not_reproduced + counts.not_decidable;
+    if (all > 0)
+      text += fmt::format("\n  {} {}: {} reproduced, {} not reproduced, {} not decidable", all, title,
+                          counts.reproduced, counts.not_reproduced, counts.not_decidable);
+  }
+  return text;
 }
 
 nlohmann::ordered_json claims_json(const std::vector<Evaluation>& evaluations) {
@@ -521,6 +812,8 @@ nlohmann::ordered_json claims_json(const std::vector<Evaluation>& evaluations) {
                                         : Json(nullptr)},
         {"verdict", to_string(evaluation.verdict)},
         {"gate", to_string(evaluation.gate)},
+        {"origin", to_string(claim.origin)},
+        {"lack", to_string(evaluation.lack)},
         {"reason", evaluation.reason},
     });
   }

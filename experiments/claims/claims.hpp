@@ -36,11 +36,34 @@ enum class StatementKind {
 /// How several measures become one number.
 enum class Reduction { single, largest, smallest, largest_magnitude, ratio, relative_spread };
 
+/// Whose statement a claim is.
+enum class Origin {
+  paper,       ///< the paper states it
+  arithmetic,  ///< what follows from its numbers, or what a law gives, worked out by this suite: no simulation of ours
+};
+
+/// What the printed number was made from.
+enum class PrintedFrom {
+  mean,      ///< a mean, a bound, a rule: held against the interval of our mean
+  one_drop,  ///< one drop: held against what one drop of ours would give
+};
+
+/// What is missing where a claim is not decidable.
+enum class Lack {
+  nothing,       ///< it is decided
+  paper,         ///< the paper's number or definition is lost, or one printed drop cannot tell
+  run,           ///< a simulation that does not exist yet
+  steadiness,    ///< a bed that was measured before it was steady
+  more_samples,  ///< more drops, or more beds
+};
+
 enum class Verdict { reproduced, not_reproduced, not_decidable };
 enum class Gate { holds, broken, none };
 
 std::string_view to_string(Verdict verdict);  ///< "reproduced", "not reproduced", "not decidable"
 std::string_view to_string(Gate gate);        ///< "holds", "broken", "none"
+std::string_view to_string(Origin origin);    ///< "paper", "arithmetic"
+std::string_view to_string(Lack lack);        ///< "nothing", "paper", "run", "steady bed", "samples"
 
 /// One claim of reference-data/WORK/claims.toml with its references resolved.
 struct Claim {
@@ -55,7 +78,13 @@ struct Claim {
   std::string words;                 ///< what the paper states, for StatementKind::words
   std::optional<Band> paper_band;    ///< inside: reproduced; empty for a trend and for words
   std::string band_reason;           ///< why the band is as wide as it is
+  double paper_uncertainty = 0.0;    ///< of the printed value, half its last digit
   std::vector<MeasureKey> measures;  ///< keys into Measurements, or patterns of them
+  /// The same statement where the paper leaves open what its abscissa is; empty where it does not.
+  std::vector<MeasureKey> other_measures = {};
+  std::string reading = {}, other_reading = {};  ///< what sets the two apart, in words
+  Origin origin = Origin::paper;
+  PrintedFrom printed_from = PrintedFrom::mean;
   Reduction reduction = Reduction::single;
   std::optional<Band> regression_band;  ///< around our own accepted value: what CI gates on
   std::string regression_reason;
@@ -78,6 +107,7 @@ struct Evaluation {
   std::optional<double> deviation;  ///< signed, relative: to the value, or to the nearer bound when outside it, else 0
   Verdict verdict = Verdict::not_decidable;
   Gate gate = Gate::none;
+  Lack lack = Lack::nothing;
   std::string reason;  ///< why not decidable, or why a gate is broken; for the others how it was decided
 };
 
@@ -101,9 +131,15 @@ struct ClaimCounts {
   std::size_t gates_holding = 0, gates_broken = 0;
 };
 ClaimCounts count(const std::vector<Evaluation>& evaluations);
+/// The same of the claims of one origin.
+ClaimCounts count(const std::vector<Evaluation>& evaluations, Origin origin);
+
+/// A line for the statements of the paper and one for what was worked out from its numbers: how many are reproduced,
+/// not reproduced, not decidable.
+std::string counts_text(const std::vector<Evaluation>& evaluations);
 
 /// {"claims": [{"id", "figure", "quantity", "unit", "paper", "ours", "interval", "deviation", "paper_band", "verdict",
-/// "gate", "reason"}, …]}.
+/// "gate", "origin", "lack", "reason"}, …]}.
 nlohmann::ordered_json claims_json(const std::vector<Evaluation>& evaluations);
 
 /// JUnit XML: each claim with a gate, a regression band or a test against the published runs, is a test case; broken:

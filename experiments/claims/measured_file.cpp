@@ -85,6 +85,11 @@ std::vector<Evaluation> evaluate_measured(const std::vector<Claim>& claims, cons
         missing.push_back(to_string(measure));
     if (missing.size() == claim.measures.size()) continue;
     claim.regression_band.reset();  // of this suite's own results
+    if (std::ranges::none_of(claim.other_measures, [&](const MeasureKey& measure) {
+          return std::ranges::any_of(measured, [&](const auto& entry) { return stands_for(measure, entry.first); });
+        }))
+      claim.other_measures.clear();
+    claim.printed_from = PrintedFrom::mean;  // nothing is known of the scatter of single drops
     Evaluation evaluation = evaluate({claim}, measured).front();
     if (!missing.empty() && claim.undecidable.empty())
       evaluation.reason = fmt::format("not measured: {}", fmt::join(missing, "; "));

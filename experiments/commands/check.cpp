@@ -46,6 +46,9 @@ JSON: {"claims": [CLAIM, ...]}; a CLAIM has
   interval, paper_band         [lower, upper], or null; null inside stands for an open end
   verdict                      "reproduced", "not reproduced", "not decidable"
   gate                         "holds", "broken", "none"
+  origin                       "paper", or "arithmetic": worked out here from its numbers and laws, not stated by it
+  lack                         what an undecided claim needs: "paper" (its number or definition is lost), "run",
+                               "steady bed", "samples"; "nothing" for a decided one
   reason                       text
 The rules are in reference-data/README.md.)";
 
@@ -108,9 +111,7 @@ void print_table(const std::vector<Evaluation>& evaluations) {
                evaluation.reason);
   }
   const ClaimCounts counts = count(evaluations);
-  fmt::print("\n{} claims: {} reproduced, {} not reproduced, {} not decidable; gates: {} hold, {} broken\n",
-             evaluations.size(), counts.reproduced, counts.not_reproduced, counts.not_decidable, counts.gates_holding,
-             counts.gates_broken);
+  fmt::print("\n{}\ngates: {} hold, {} broken\n", counts_text(evaluations), counts.gates_holding, counts.gates_broken);
 }
 
 /// What the laws and the runs of this suite say to the claims.

@@ -156,6 +156,7 @@ Judgement judge_and_draw(const Work& work, const Profile& profile, const std::ve
   const auto outputs = draw(chosen, judgement, options.out, heading);
   if (!options.ids.empty()) return judgement;
   auto reported = judgement.runs;
+  reported.insert(reported.end(), judgement.left_out.begin(), judgement.left_out.end());
   for (const std::string& own : work.read_by_figures)
     if (profile.name != own)
       for (auto& run : finished_runs(load_profile(work, own), options.out)) reported.push_back(std::move(run));
@@ -253,9 +254,7 @@ int make_figures(const Work& work, const Options& options) {
       fmt::print("{}  {:<62}{}\n", figure->id, figure->title,
                  (options.out / "figures" / (figure->id + ".svg")).string());
   if (all) {
-    const ClaimCounts counts = count(judgement.evaluations);
-    fmt::print("{} claims: {} reproduced, {} not reproduced, {} not decidable\n", judgement.evaluations.size(),
-               counts.reproduced, counts.not_reproduced, counts.not_decidable);
+    fmt::print("{}\n", counts_text(judgement.evaluations));
     if (!missing.empty() || with_studies) fmt::print("{}", changed_verdicts(before, judgement.evaluations));
     fmt::print("report: {}\n", page.string());
   }

@@ -3,8 +3,11 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <functional>
+#include <numeric>
 
 #include "correlations/collision/collision_force/peng_2014.hpp"
+#include "experiments/peng_2014/paper_conditions.hpp"
 #include "experiments/peng_2014/reference.hpp"
 #include "experiments/quantities/over_runs.hpp"
 
@@ -14,39 +17,54 @@ namespace {
 /// Fig. 7: a drop that was followed for a shorter time without reaching the bottom says nothing; one that rests on the
 /// bed or in it does not fall.
 Quantity falling_after(int seconds) {
-  return {fmt::format("falling_after_{}_s", seconds), "-",
-          fmt::format("share of drops that still fall after {} s", seconds),
-          fmt::format("1 for a drop that is above the bottom and not at rest {} s after its release, else 0.", seconds),
-          OfDrop([=](const DropView& drop) -> std::optional<double> {
-            const DropStatistics& statistics = drop.statistics;
-            if (statistics.time_to_bottom && *statistics.time_to_bottom < seconds) return 0.0;
-            if (statistics.time_followed < seconds) return std::nullopt;
-            return statistics.penetration ? 0.0 : 1.0;
-          })};
+  Quantity quantity{
+      fmt::format("falling_after_{}_s", seconds), "-",
+      fmt::format("share of drops that still fall after {} s", seconds),
+      fmt::format("1 for a drop that is above the bottom and not at rest {} s after its release, else 0.", seconds),
+      OfDrop([=](const DropView& drop) -> std::optional<double> {
+        const DropStatistics& statistics = drop.statistics;
+        if (statistics.time_to_bottom && *statistics.time_to_bottom < seconds) return 0.0;
+        if (statistics.time_followed < seconds) return std::nullopt;
+        return statistics.rests ? 0.0 : 1.0;
+      })};
+  quantity.lowest = 0.0;
+  quantity.highest = 1.0;
+  quantity.yes_or_no = true;
+  return quantity;
 }
 
-std::optional<double> equation_40_deviation(const DropView& drop) {
-  const auto voidage = drop.run.mean_of_bed("voidage_centre_of_mass");
-  if (!drop.statistics.force_ratio || !voidage) return std::nullopt;
+std::optional<double> over_equation_40(const DropNumbers& numbers, std::optional<double> voidage) {
+  const auto force = numbers.of_drop("collision_force_ratio");
+  if (!force || !voidage) return std::nullopt;
   const ForeignSphereInBed state{
       .bed = {}, .foreign = {}, .liquid = {}, .voidage = *voidage, .superficial_velocity = 0.0};
-  return *drop.statistics.force_ratio / collision::Peng2014{}(state, 0.0) - 1.0;
+  return *force / collision::Peng2014{}(state, 0.0) - 1.0;
+}
+
+std::optional<double> equation_40_deviation(const DropNumbers& numbers) {
+  const auto voidage = numbers.bed.find("voidage_centre_of_mass");
+  return over_equation_40(numbers, voidage == numbers.bed.end() ? std::nullopt : std::optional(voidage->second.mean));
+}
+
+std::optional<double> equation_40_deviation_as_printed(const DropNumbers& numbers) {
+  return over_equation_40(numbers, voidage_by_equation_36(numbers.system, numbers.superficial_velocity));
 }
 
 /// Fig. 26.
-std::optional<Measurement> equation_40_share(const Measurements& measurements) {
-  double within = 0.0;
-  std::size_t runs = 0;
-  for (const auto& [key, deviation] : measurements) {
-    if (key.quantity != "equation_40_deviation" || !key.at || !key.detail.empty()) continue;
-    ++runs;
-    if (std::abs(deviation.value) <= peng_2014().value("equation_40_most")) within += 1.0;
-  }
-  if (runs < 2) return std::nullopt;
-  // Wald's interval with two successes and failures added (Agresti and Coull 1998, Am. Stat. 52, 119).
-  const double trials = static_cast<double>(runs) + 4.0, share = (within + 2.0) / trials;
-  return Measurement{within / static_cast<double>(runs), 1.96 * std::sqrt(share * (1.0 - share) / trials), runs, "",
-                     ""};
+OfAllSystems share_near_equation_40(std::string deviation) {
+  return [=](const Measurements& measurements) -> std::optional<Measurement> {
+    std::size_t within = 0, runs = 0;
+    for (const auto& [key, measured] : measurements) {
+      if (key.quantity != deviation || !key.at || !key.detail.empty()) continue;
+      ++runs;
+      within += std::abs(measured.value) <= peng_2014().value("equation_40_most");
+    }
+    if (runs < 2) return std::nullopt;
+    Measurement share{.value = static_cast<double>(within) / static_cast<double>(runs), .samples = runs};
+    share.interval = share_interval(within, runs);
+    share.half_width = 0.5 * (share.interval->second - share.interval->first);
+    return share;
+  };
 }
 
 /// §5.2: how much faster V_2 rises below 0.09 m/s than above it, up to 0.24 m/s.
@@ -68,6 +86,56 @@ std::optional<Measurement> early_rise(const Measurements& measurements, const st
   error.add(1.0 / (0.03 * late), *low);
   error.add(ratio / (0.15 * late), *high);
   return Measurement{ratio, std::sqrt(error.variance), 3, "", ""};
+}
+
+/// §5.4.2, Fig. 20: slope of ln f over the solid fraction above 0.4 over that below, straight lines by least squares.
+/// `solids` of a superficial velocity.
+std::optional<Measurement> steepness(const Measurements& measurements, const std::string& system,
+                                     const std::function<std::optional<double>(double)>& solids) {
+  struct Line {
+    std::vector<double> x;
+    std::vector<Measurement> y;
+    [[nodiscard]] std::optional<LinearNumber> slope() const {
+      if (x.size() < 2) return std::nullopt;
+      const double middle = std::accumulate(x.begin(), x.end(), 0.0) / static_cast<double>(x.size());
+      double squares = 0.0;
+      for (const double at : x) squares += (at - middle) * (at - middle);
+      LinearNumber result;
+      for (std::size_t k = 0; k < x.size(); ++k) result.add((x[k] - middle) / squares, y[k]);
+      return result;
+    }
+  } dense, dilute;
+  for (const auto& [velocity, frequency] : over_numbers(measurements, "collision_frequency", system)) {
+    const auto at = solids(velocity);
+    if (!at || !(frequency.value > 0.0)) continue;
+    Line& line = *at >= peng_2014().value("steep_solid_fraction") ? dense : dilute;
+    line.x.push_back(*at);
+    line.y.push_back({.value = std::log(frequency.value), .half_width = frequency.half_width / frequency.value});
+  }
+  const auto above = dense.slope(), below = dilute.slope();
+  if (!above || !below) return std::nullopt;
+  const double ratio = above->value / below->value;
+  return Measurement{
+      .value = ratio,
+      .half_width = std::hypot(std::sqrt(above->variance), ratio * std::sqrt(below->variance)) / std::abs(below->value),
+      .samples = dense.x.size() + dilute.x.size()};
+}
+
+std::optional<Measurement> steepness_over_our_voidage(const Measurements& measurements, const std::string& system,
+                                                      const MeasuringRules&) {
+  const auto voidages = over_numbers(measurements, "voidage_centre_of_mass", system);
+  return steepness(measurements, system, [&](double velocity) -> std::optional<double> {
+    const auto found = voidages.find(velocity);
+    return found == voidages.end() ? std::nullopt : std::optional(1.0 - found->second.value);
+  });
+}
+
+std::optional<Measurement> steepness_over_printed_voidage(const Measurements& measurements, const std::string& system,
+                                                          const MeasuringRules&) {
+  return steepness(measurements, system, [&](double velocity) -> std::optional<double> {
+    const auto voidage = voidage_by_equation_36(system, velocity);
+    return voidage ? std::optional(1.0 - *voidage) : std::nullopt;
+  });
 }
 
 std::vector<Quantity> of_laws() {
@@ -133,12 +201,25 @@ std::vector<Quantity> own_quantities() {
       falling_after(30),
       {"equation_40_deviation", "-", "deviation of the collision force from Eq. 40",
        "Collision force over weight of a drop over Eq. 40 at the voidage of its bed, minus 1.",
-       OfDrop(equation_40_deviation)},
+       OfDropNumbers(equation_40_deviation)},
+      {"equation_40_deviation_at_printed_voidage", "-", "the same at the voidage of Eq. 36",
+       "Collision force over weight of a drop over Eq. 40 at the voidage that Eq. 36 has for the superficial velocity, "
+       "minus 1.",
+       OfDropNumbers(equation_40_deviation_as_printed)},
       {"classification_velocity_rise_ratio", "-", "early over late rise of V_2",
        "Rise of V_2 per velocity from 0.06 to 0.09 m/s over that from 0.09 to 0.24 m/s.", OfSystem(early_rise)},
+      {"collision_frequency_steepness", "-", "steepness of the collision frequency above over below α_S = 0.4",
+       "Slope of ln f over the solid fraction of our beds from 0.4 on over the slope below.",
+       OfSystem(steepness_over_our_voidage), true},
+      {"collision_frequency_steepness_at_printed_voidage", "-", "the same over the solid fraction of Eq. 36",
+       "The same over the solid fraction that Eq. 36 has for the superficial velocity.",
+       OfSystem(steepness_over_printed_voidage), true},
       {"equation_40_share_within_10_percent", "-", "share of runs near Eq. 40",
        "Share of the runs without variant whose collision force lies within 10 % of Eq. 40.",
-       OfAllSystems(equation_40_share)}};
+       share_near_equation_40("equation_40_deviation")},
+      {"equation_40_share_within_10_percent_at_printed_voidage", "-", "the same at the voidage of Eq. 36",
+       "The same with Eq. 40 at the voidage that Eq. 36 has for the superficial velocity.",
+       share_near_equation_40("equation_40_deviation_at_printed_voidage")}};
   for (Quantity& quantity : of_laws()) list.push_back(std::move(quantity));
   return list;
 }

@@ -1,8 +1,11 @@
 #include "experiments/peng_2014/paper_conditions.hpp"
 
+#include <algorithm>
+
 #include "correlations/drag/doroodchi_2012.hpp"
 #include "correlations/drag/ergun_1952.hpp"
 #include "correlations/fluidisation/bed_expansion.hpp"
+#include "experiments/peng_2014/bed_systems.hpp"
 #include "solver/dem/linear_spring_dashpot.hpp"
 
 namespace slfb::paper {
@@ -19,6 +22,15 @@ ForeignSphereInBed steel_in_glass(double superficial_velocity, double voidage) {
           .liquid = water(),
           .voidage = voidage,
           .superficial_velocity = superficial_velocity};
+}
+
+std::optional<double> voidage_by_equation_36(std::string_view system, double superficial_velocity) {
+  const auto found = std::ranges::find(bed_systems, system, &BedSystem::name);
+  if (found == bed_systems.end()) return std::nullopt;
+  const LiquidProperties liquid = found->liquid == BedLiquid::water ? water() : sodium_iodide();
+  return fluidisation::bed_voidage(drag::Doroodchi2012{}, glass(found->bed_diameter), liquid, superficial_velocity,
+                                   packed_voidage())
+      .voidage;
 }
 
 double ergun_pressure(double voidage, double superficial_velocity) {

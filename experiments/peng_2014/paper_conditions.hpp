@@ -1,6 +1,8 @@
 #pragma once
 
 #include <numbers>
+#include <optional>
+#include <string_view>
 
 #include "correlations/foreign_sphere.hpp"
 #include "correlations/materials.hpp"
@@ -47,6 +49,10 @@ inline double bed_weight_pressure(double density) {
 /// The 6 mm steel sphere in 5 mm glass and water at the voidage that Eq. 36 gives at U_L, or at a printed one.
 ForeignSphereInBed steel_in_glass(double superficial_velocity);
 ForeignSphereInBed steel_in_glass(double superficial_velocity, double voidage);
+
+/// Voidage of the bed of a system by Eq. 36, which the printed pairs of velocity and voidage follow within 0.006 [-].
+/// Empty for a system that the paper does not have.
+std::optional<double> voidage_by_equation_36(std::string_view system, double superficial_velocity);
 
 /// Pressure drop of 5 mm glass packed at `voidage` up to the packed height by Ergun's equation, water [Pa].
 double ergun_pressure(double voidage, double superficial_velocity);

@@ -7,6 +7,7 @@
 #include "experiments/peng_2014/inconsistencies.hpp"
 #include "experiments/peng_2014/measure_laws.hpp"
 #include "experiments/peng_2014/own_quantities.hpp"
+#include "experiments/peng_2014/paper_conditions.hpp"
 #include "experiments/peng_2014/planned_figures/figure_plans.hpp"
 #include "experiments/peng_2014/reference.hpp"
 #include "experiments/peng_2014/report_texts.hpp"
@@ -27,11 +28,13 @@ MeasuringRules measuring_rules() {
   // On either side of U_mf = 0.042 m/s in Fig. 5.
   rules.packed_up_to = 0.0401;
   rules.fluidised_from = 0.0599;
-  rules.printed_voidages = {0.45, 0.46, 0.52, 0.55, 0.57, 0.58, 0.62, 0.65, 0.79, 0.80};
+  rules.printed_voidages = {0.45, 0.46, 0.51, 0.52, 0.55, 0.57, 0.58, 0.60, 0.62, 0.65, 0.67, 0.71, 0.79, 0.80};
   // Half the last printed digit, and as much for an unstated definition of the bed's voidage.
   rules.voidage_tolerance = 0.01;
-  rules.at_voidages = {"collision_frequency", "drag_ratio",    "lateral_travel",         "liquid_fluctuation",
-                       "maximum_contacts",    "mean_contacts", "pressure_gradient_ratio"};
+  rules.at_voidages = {"collision_frequency", "collision_to_drag_ratio", "drag_ratio",           "lateral_travel",
+                       "liquid_fluctuation",  "maximum_contacts",        "mean_contacts",        "peak_force_ratio",
+                       "contact_fraction",    "pressure_gradient_ratio", "collision_force_ratio"};
+  rules.printed_voidage = paper::voidage_by_equation_36;
   return rules;
 }
 

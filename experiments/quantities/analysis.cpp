@@ -66,6 +66,18 @@ double final_speed(const DropSeries& drop) {
   return duration > 0.0 ? std::abs(drop.z.back() - drop.z[index]) / duration : nan;
 }
 
+/// From its first contact, half a sample after the last one without, to the end. Empty where samples are further apart
+/// than 2 ms, the fall in which is more than what is measured: committed drops are thinned.
+std::optional<double> sinking_of(const DropSeries& drop) {
+  constexpr double coarsest_interval = 2e-3;
+  const auto touched = std::ranges::find_if(drop.cumulative_contacts, [](double count) { return count > 0.0; });
+  if (touched == drop.cumulative_contacts.end() || touched == drop.cumulative_contacts.begin()) return std::nullopt;
+  const auto before = static_cast<std::size_t>(touched - drop.cumulative_contacts.begin()) - 1;
+  const double interval = drop.time[before + 1] - drop.time[before];
+  if (interval > coarsest_interval) return std::nullopt;
+  return drop.z[before] + 0.5 * interval * drop.velocity_z[before] - drop.z.back();
+}
+
 }  // namespace
 
 double integrated_autocorrelation_time(std::span<const double> values) {
@@ -215,11 +227,13 @@ DropStatistics analyse_drop(const DropSeries& drop, const DropSurroundings& surr
     statistics.terminal_reynolds = mean_of(during(drop.reynolds, *stretch));
   }
   if (!at_bottom && final_speed(drop) < resting_speed) {
-    const double surface = surroundings.bed_top + 0.5 * surroundings.bed_diameter;
-    statistics.penetration = surface - (drop.z.back() - 0.5 * surroundings.sphere_diameter);
+    statistics.rests = true;
+    statistics.sinking = sinking_of(drop);
     // Not deeper than itself and one layer of the bed, it lies in a hollow of the surface at most: what it met is its
     // landing, not a passage.
-    if (*statistics.penetration < surroundings.bed_diameter + surroundings.sphere_diameter) return statistics;
+    const double surface = surroundings.bed_top + 0.5 * surroundings.bed_diameter;
+    const double depth = surface - (drop.z.back() - 0.5 * surroundings.sphere_diameter);
+    if (depth < surroundings.bed_diameter + surroundings.sphere_diameter) return statistics;
   }
 
   const auto passage = bed_passage(drop, surroundings.bed_top);
@@ -275,6 +289,63 @@ std::vector<double> plane_vorticity(const PlaneField& plane) {
   return vorticity;
 }
 
+namespace {
+
+double wall_excess_of(const PlaneField& plane, std::size_t rows) {
+  const std::size_t columns = plane.x.size();
+  const double half_width = std::max(std::abs(plane.x.front()), std::abs(plane.x.back()));
+  std::vector<double> outer, inner;
+  for (std::size_t index = 0; index < rows * columns; ++index) {
+    if (!std::isfinite(plane.voidage[index])) continue;
+    const std::size_t column = index % columns;
+    if (column == 0 || column + 1 == columns) outer.push_back(plane.voidage[index]);
+    if (std::abs(plane.x[column]) < 0.5 * half_width) inner.push_back(plane.voidage[index]);
+  }
+  return outer.empty() || inner.empty() ? nan : mean_of(outer) - mean_of(inner);
+}
+
+/// Part of a ball that no other sphere of the snapshot fills, by the points of a lattice in it.
+double voidage_of_ball(const Snapshot& snapshot, double x, double y, double z, double radius) {
+  constexpr int points = 10;  // on either side of the centre: some 4000 in the ball
+  std::size_t inside = 0, empty = 0;
+  const auto foreign = static_cast<std::size_t>(snapshot.foreign);
+  std::vector<std::size_t> near;
+  for (std::size_t k = 0; k < snapshot.x.size(); ++k)
+    if (k != foreign &&
+        std::hypot(snapshot.x[k] - x, snapshot.y[k] - y, snapshot.z[k] - z) < radius + snapshot.radius[k])
+      near.push_back(k);
+  for (int i = -points; i <= points; ++i)
+    for (int j = -points; j <= points; ++j)
+      for (int k = -points; k <= points; ++k) {
+        if (i * i + j * j + k * k > points * points) continue;
+        ++inside;
+        const double step = radius / points, px = x + i * step, py = y + j * step, pz = z + k * step;
+        empty += std::ranges::none_of(near, [&](std::size_t s) {
+          return std::hypot(snapshot.x[s] - px, snapshot.y[s] - py, snapshot.z[s] - pz) < snapshot.radius[s];
+        });
+      }
+  return static_cast<double>(empty) / static_cast<double>(inside);
+}
+
+}  // namespace
+
+std::optional<double> wake_excess(const std::vector<Snapshot>& snapshots) {
+  const auto found = std::ranges::find(snapshots, "halfway", &Snapshot::moment);
+  if (found == snapshots.end() || found->foreign < 0) return std::nullopt;
+  const Snapshot& snapshot = *found;
+  const auto foreign = static_cast<std::size_t>(snapshot.foreign);
+  if (foreign >= snapshot.z.size()) return std::nullopt;
+  const double radius = snapshot.radius[foreign], z = snapshot.z[foreign];
+  double top = 0.0;
+  for (std::size_t k = 0; k < snapshot.z.size(); ++k)
+    if (k != foreign) top = std::max(top, snapshot.z[k]);
+  if (z - 3.0 * radius < 0.0 || z + 3.0 * radius > top) return std::nullopt;
+  const auto voidage = [&](double height) {
+    return voidage_of_ball(snapshot, snapshot.x[foreign], snapshot.y[foreign], height, radius);
+  };
+  return voidage(z + 2.0 * radius) - voidage(z - 2.0 * radius);
+}
+
 std::optional<PlaneStatistics> analyse_plane(const PlaneField& plane, double bed_top) {
   const std::size_t columns = plane.x.size();
   const auto rows =
@@ -285,7 +356,7 @@ std::optional<PlaneStatistics> analyse_plane(const PlaneField& plane, double bed
   }
   if (voidage.empty()) return std::nullopt;
   PlaneStatistics statistics{gsl_stats_sd_with_fixed_mean(voidage.data(), 1, voidage.size(), mean_of(voidage)), nan,
-                             nan};
+                             nan, wall_excess_of(plane, rows)};
   const auto vorticity = plane_vorticity(plane);
   if (vorticity.empty()) return statistics;
 

@@ -105,7 +105,8 @@ struct DropStatistics {
   double time_followed = 0.0;                 ///< to the bottom, or to the end of the record [s]
   std::optional<double> terminal_velocity;    ///< slip to the liquid above the bed, last fifth of the free fall [m/s]
   std::optional<double> terminal_reynolds;    ///< Eq. 25, over the same stretch [-]
-  std::optional<double> penetration;          ///< surface of the bed over the lowest point of a sphere that stays [m]
+  bool rests = false;                         ///< has come to rest above the bottom
+  std::optional<double> sinking;              ///< from its first contact to where it comes to rest [m]
   std::optional<double> collision_frequency;  ///< new contacts per second of passage [1/s]
   std::optional<double> force_ratio;          ///< mean of |F_c| over m g [-]
   std::optional<double> force_ratio_of_mean;  ///< |mean of F_c| over m g [-]
@@ -131,6 +132,7 @@ struct PlaneStatistics {
   double voidage_deviation = 0.0;  ///< standard deviation of the voidage over the cells [-]
   double vorticity_range = 0.0;    ///< largest minus smallest plane_vorticity (Fig. 14) [1/s]; NaN without velocities
   double speed_maximum = 0.0;      ///< largest |u| of the interstitial liquid [m/s]; NaN without velocities
+  double wall_excess = 0.0;        ///< mean voidage of the outermost cells less that of the middle half [-]
 };
 
 /// Vorticity about y, ∂u_x/∂z − ∂u_z/∂x, by central differences at the cells of the plane [1/s]; not a number at the
@@ -139,5 +141,10 @@ std::vector<double> plane_vorticity(const PlaneField& plane);
 
 /// Empty when no cell lies below `bed_top`.
 std::optional<PlaneStatistics> analyse_plane(const PlaneField& plane, double bed_top);
+
+/// Voidage behind the dropped sphere less that before it [-]: of two balls of its own radius that touch it from above
+/// and from below, in the snapshot halfway through the bed. Empty without such a snapshot, and where a ball is not
+/// inside the bed.
+std::optional<double> wake_excess(const std::vector<Snapshot>& snapshots);
 
 }  // namespace slfb

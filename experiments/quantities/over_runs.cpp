@@ -11,6 +11,17 @@ Measurement measured(double value, double half_width, std::size_t samples) {
   return {.value = value, .half_width = half_width, .samples = samples, .unit = "", .origin = ""};
 }
 
+/// Of the least-squares line through the values, from the first abscissa to the last, over `mean`.
+Measurement rise_over_mean(const std::vector<double>& x, const std::vector<Measurement>& values, double mean) {
+  double middle = 0.0, squares = 0.0;
+  for (const double at : x) middle += at / static_cast<double>(x.size());
+  for (const double at : x) squares += (at - middle) * (at - middle);
+  LinearNumber rise;
+  for (std::size_t k = 0; k < x.size(); ++k)
+    rise.add((x[k] - middle) / squares * (x.back() - x.front()) / mean, values[k]);
+  return measured(rise.value, std::sqrt(rise.variance), values.size());
+}
+
 }  // namespace
 
 void LinearNumber::add(double weight, const Measurement& term) {
@@ -20,13 +31,14 @@ void LinearNumber::add(double weight, const Measurement& term) {
 
 PressureCurve pressure_curve(const std::map<double, Measurement>& pressures, double packed_up_to,
                              double fluidised_from) {
-  std::vector<double> velocities;
+  std::vector<double> velocities, fluidised_velocities;
   std::vector<Measurement> packed, fluidised;
   for (const auto& [velocity, pressure] : pressures) {
     if (velocity < packed_up_to) {
       velocities.push_back(velocity);
       packed.push_back(pressure);
     } else if (velocity > fluidised_from) {
+      fluidised_velocities.push_back(velocity);
       fluidised.push_back(pressure);
     }
   }
@@ -34,6 +46,7 @@ PressureCurve pressure_curve(const std::map<double, Measurement>& pressures, dou
   LinearNumber plateau;
   for (const Measurement& pressure : fluidised) plateau.add(1.0 / static_cast<double>(fluidised.size()), pressure);
   if (!fluidised.empty()) curve.plateau = measured(plateau.value, std::sqrt(plateau.variance), fluidised.size());
+  if (fluidised.size() >= 3) curve.plateau_rise = rise_over_mean(fluidised_velocities, fluidised, plateau.value);
   if (packed.size() < 2) return curve;
 
   // Least squares as weights of the points, so that their intervals carry over to the line and the crossing.
@@ -90,6 +103,11 @@ std::optional<Measurement> value_at_voidage(const std::map<double, Measurement>&
   Measurement answer =
       measured(result.value, std::sqrt(result.variance), std::min(lower.value.samples, upper.value.samples));
   answer.unit = upper.value.unit;
+  answer.lowest = upper.value.lowest;
+  answer.highest = upper.value.highest;
+  answer.scatter = share > 0.0 ? std::lerp(lower.value.scatter, upper.value.scatter, share) : lower.value.scatter;
+  answer.steady = lower.value.steady && upper.value.steady;
+  answer.remark = lower.value.remark.empty() ? upper.value.remark : lower.value.remark;
   return answer;
 }
 

@@ -22,6 +22,8 @@ struct PressureCurve {
   std::optional<Measurement> slope;      ///< of the line through at least two packed runs [Pa s/m]
   std::optional<Measurement> intercept;  ///< [Pa]
   std::optional<Measurement> crossing;   ///< superficial velocity where the two lines meet [m/s]
+  /// Rise of the line through at least three fluidised runs, from the first to the last, over the plateau [-].
+  std::optional<Measurement> plateau_rise;
 };
 
 /// \param pressures pressure drop [Pa] by superficial velocity [m/s]

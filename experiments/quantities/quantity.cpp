@@ -32,6 +32,11 @@ std::optional<double> RunView::mean_of_bed(const std::string& quantity) const {
   return found == bed.end() ? std::nullopt : std::optional(found->second.mean);
 }
 
+std::optional<double> DropNumbers::of_drop(const std::string& quantity) const {
+  const auto found = drop.find(quantity);
+  return found == drop.end() ? std::nullopt : std::optional(found->second);
+}
+
 double MeasuringRules::release_clock(const std::string& system) const {
   const auto found = release_clocks.find(system);
   return found == release_clocks.end() ? 0.0 : found->second;
@@ -43,8 +48,9 @@ const MeasuringRules& general_rules() {
 }
 
 const Quantity* find_quantity(const MeasuringRules& rules, std::string_view id) {
-  if (constexpr std::string_view at_voidage = "_at_voidage"; id.ends_with(at_voidage))
-    id.remove_suffix(at_voidage.size());
+  for (const std::string_view reading : {"_at_voidage", "_at_printed_voidage"})
+    if (id.ends_with(reading) && std::ranges::find(rules.quantities, id, &Quantity::id) == rules.quantities.end())
+      id.remove_suffix(reading.size());
   const auto found = std::ranges::find(rules.quantities, id, &Quantity::id);
   return found == rules.quantities.end() ? nullptr : &*found;
 }

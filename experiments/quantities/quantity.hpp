@@ -13,6 +13,7 @@
 
 #include "experiments/quantities/analysis.hpp"
 #include "experiments/quantities/measurement.hpp"
+#include "experiments/quantities/samples.hpp"
 #include "solver/io/run_result.hpp"
 #include "solver/scene/scene.hpp"
 
@@ -46,6 +47,20 @@ struct DropView {
   const DropSeries& series;
   const DropStatistics& statistics;
   bool from_release_height;  ///< false: released so much lower that times since the release are no others' times
+  bool first = true;         ///< into this bed: later ones meet what the first has left
+};
+
+/// What has been measured of a drop, and of the bed it fell into: enough for quantities that only combine such numbers,
+/// also those of a summary that was written before the quantity was thought of.
+struct DropNumbers {
+  const std::map<std::string, double>& drop;         ///< by the id of the quantity
+  const std::map<std::string, SeriesEstimate>& bed;  ///< the same of the bed
+  const Scene& scene;
+  const MeasuringRules& rules;
+  std::string_view system;
+  double superficial_velocity;  ///< [m/s]
+
+  [[nodiscard]] std::optional<double> of_drop(const std::string& quantity) const;
 };
 
 /// Mean over the undisturbed bed with the interval of its own series; empty where nothing was recorded.
@@ -54,6 +69,10 @@ using OfBed = std::function<std::optional<SeriesEstimate>(const RunView&)>;
 using OfRun = std::function<std::optional<double>(const RunView&)>;
 /// One number a drop; the drops of all runs of one key are samples of one mean.
 using OfDrop = std::function<std::optional<double>(const DropView&)>;
+/// One number a drop, from its other numbers.
+using OfDropNumbers = std::function<std::optional<double>(const DropNumbers&)>;
+/// What a drop without the number still says: a bound.
+using BoundOfDrop = std::function<std::optional<BoundedSample>(const DropView&)>;
 /// One number of all runs of one key together.
 using OfReplicates = std::function<std::optional<double>(std::span<const RunSummary>)>;
 /// One number of all runs of a system without variant, from what was measured in each.
@@ -69,9 +88,16 @@ struct Quantity {
   std::string unit;        ///< SI; "-" for a ratio or a count
   std::string title;       ///< a few words
   std::string definition;  ///< one or two sentences
-  std::variant<OfNoRun, OfBed, OfRun, OfDrop, OfReplicates, OfSystem, OfAllSystems> computed;
+  std::variant<OfNoRun, OfBed, OfRun, OfDrop, OfDropNumbers, OfReplicates, OfSystem, OfAllSystems> computed;
   /// True for counts of contacts and for single forces: a softer spring makes contacts last longer and hide the next.
   bool depends_on_contact_stiffness = false;
+  double lowest = -std::numeric_limits<double>::infinity();  ///< bounds of nature
+  double highest = std::numeric_limits<double>::infinity();
+  bool of_packing = false;  ///< of the settled bed: runs that begin with the same packing are one sample
+  bool yes_or_no = false;   ///< 1 or 0 for each drop: its mean is a share
+  /// Committed results are thinned; true where it is also found in them, for summaries of before it was thought of.
+  bool from_thinned = false;
+  BoundOfDrop bound = {};  ///< of drops that have no such number; found in thinned results
 };
 
 /// The quantities of every fluidised bed and every drop into one (quantities.cpp): adding one is one entry there.
@@ -90,8 +116,13 @@ struct MeasuringRules {
   double fluidised_from = std::numeric_limits<double>::infinity();
   /// Voidages at which a work states something of a bed whose superficial velocity it does not give [-].
   std::vector<double> printed_voidages = {};
-  double voidage_tolerance = 0.0;             ///< a run that misses a stated voidage by no more stands for it [-]
-  std::vector<std::string> at_voidages = {};  ///< quantities that are read there, as "QUANTITY_at_voidage"
+  double voidage_tolerance = 0.0;  ///< a run that misses a stated voidage by no more stands for it [-]
+  /// Quantities that are read there, as "QUANTITY_at_voidage" over the voidage of our beds, and where the work has a
+  /// voidage of its own for each velocity as "QUANTITY_at_printed_voidage" over that one.
+  std::vector<std::string> at_voidages = {};
+  /// The voidage that the work has for a system at a superficial velocity; empty for a work that prints none.
+  std::function<std::optional<double>(std::string_view system, double superficial_velocity)> printed_voidage = {};
+  double steady_voidage = 0.005;  ///< a bed whose voidage changes by more at the end of its series is not steady [-]
 
   [[nodiscard]] double release_clock(const std::string& system) const;
 };
@@ -99,7 +130,8 @@ struct MeasuringRules {
 /// Those of no work: general_quantities(), times from the release.
 const MeasuringRules& general_rules();
 
-/// Null when the rules have no quantity of this id. "QUANTITY_at_voidage" is QUANTITY.
+/// Null when the rules have no quantity of this id. "QUANTITY_at_voidage" and "QUANTITY_at_printed_voidage" are
+/// QUANTITY.
 const Quantity* find_quantity(const MeasuringRules& rules, std::string_view id);
 
 /// False for an id that is not in the rules.

@@ -3,6 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+#include <functional>
+#include <limits>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
@@ -18,7 +21,12 @@ const Species& species_named(const Scene& scene, const std::string& name) {
   return *found;
 }
 
-std::map<std::string, double> numbers_of_drop(const DropSeries& drop, const RunView& run) {
+/// Names of bounds in the numbers of a drop.
+constexpr std::string_view at_least = "_at_least", at_most = "_at_most";
+
+/// What is measured of the drop, or of what `wanted` says only that. \param place of the drop among those into its bed
+std::map<std::string, double> numbers_of_drop(const DropSeries& drop, const RunView& run, std::size_t place,
+                                              const std::function<bool(const Quantity&)>& wanted = {}) {
   const Species& sphere = species_named(run.scene, drop.species);
   const DropStatistics statistics =
       analyse_drop(drop, {.bed_top = run.bed_top(),
@@ -27,11 +35,16 @@ std::map<std::string, double> numbers_of_drop(const DropSeries& drop, const RunV
                           .sphere_density = sphere.density,
                           .classification = classification_of(drop, run.scene, run.rules, run.release_clock)});
   const bool from_release_height = !drop.z.empty() && drop.z.front() > 0.98 * run.rules.release_height;
-  const DropView view{run, drop, statistics, from_release_height};
+  const DropView view{run, drop, statistics, from_release_height, place == 0};
   std::map<std::string, double> numbers;
-  for (const Quantity& quantity : run.rules.quantities)
-    if (const auto* computed = std::get_if<OfDrop>(&quantity.computed))
+  for (const Quantity& quantity : run.rules.quantities) {
+    if (const auto* computed = std::get_if<OfDrop>(&quantity.computed); computed && (!wanted || wanted(quantity)))
       if (const auto value = (*computed)(view)) numbers[quantity.id] = *value;
+    if (!quantity.bound || numbers.contains(quantity.id)) continue;
+    if (const auto bound = quantity.bound(view))
+      numbers[fmt::format("{}{}", quantity.id, bound->kind == BoundedSample::Kind::at_least ? at_least : at_most)] =
+          bound->value;
+  }
   return numbers;
 }
 
@@ -47,11 +60,38 @@ RunSummary summarise(const std::string& system, const Scene& scene, const RunRes
   for (const Quantity& quantity : rules.quantities)
     if (const auto* computed = std::get_if<OfRun>(&quantity.computed))
       if (const auto value = (*computed)(view)) summary.run[quantity.id] = *value;
-  for (const DropSeries& drop : result.drops) summary.drops.push_back(numbers_of_drop(drop, view));
+  for (const DropSeries& drop : result.drops)
+    summary.drops.push_back(numbers_of_drop(drop, view, summary.drops.size()));
   summary.run["wall_seconds"] = result.wall_seconds;
   summary.run["simulated_seconds"] = result.simulated_seconds;
   summary.run["particles_removed"] = static_cast<double>(result.particles_removed);
   return summary;
+}
+
+std::optional<BoundedSample> sample_of(const std::map<std::string, double>& drop, const std::string& quantity) {
+  using Kind = BoundedSample::Kind;
+  const std::pair<std::string_view, Kind> endings[] = {
+      {"", Kind::exact}, {at_least, Kind::at_least}, {at_most, Kind::at_most}};
+  for (const auto& [ending, kind] : endings)
+    if (const auto found = drop.find(fmt::format("{}{}", quantity, ending)); found != drop.end())
+      return BoundedSample{found->second, kind};
+  return std::nullopt;
+}
+
+void complete(RunSummary& summary, const std::string& system, const Scene& scene, const RunResult& thinned,
+              const MeasuringRules& rules) {
+  const RunView view{scene, thinned, rules, rules.release_clock(system), summary.bed};
+  const auto lost_nothing = [](const Quantity& quantity) { return quantity.from_thinned; };
+  for (const Quantity& quantity : rules.quantities)
+    if (const auto* computed = std::get_if<OfRun>(&quantity.computed); computed && quantity.from_thinned)
+      if (const auto value = (*computed)(view)) summary.run.try_emplace(quantity.id, *value);
+  for (std::size_t k = 0; k < std::min(summary.drops.size(), thinned.drops.size()); ++k)
+    for (const auto& [name, value] : numbers_of_drop(thinned.drops[k], view, k, lost_nothing)) {
+      std::string quantity = name;
+      for (const std::string_view ending : {at_least, at_most})
+        if (quantity.ends_with(ending)) quantity.resize(quantity.size() - ending.size());
+      if (!sample_of(summary.drops[k], quantity)) summary.drops[k][name] = value;
+    }
 }
 
 void save_summary(const RunSummary& summary, const std::filesystem::path& file, const MeasuringRules& rules) {

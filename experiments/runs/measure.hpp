@@ -9,6 +9,11 @@
 /// From finished runs to the numbers that claims and figures compare.
 namespace slfb {
 
+/// Runs of different models (friction, drag law, grid, …; not seeds, times, steps, springs or the height of the column)
+/// are no samples of one number. Of the runs of one key those stay whose model is nearest to the scene file of their
+/// work; the others are returned.
+std::vector<FinishedRun> take_out_other_models(std::vector<FinishedRun>& runs);
+
 /// Everything that the rules measure in finished runs.
 ///
 /// Runs of one key (run_key) and different names are replicates: their drops are pooled, and the means of their beds

@@ -6,9 +6,18 @@ namespace slfb {
 
 Measurements measure_all(const Work& work, const std::vector<FinishedRun>& runs, const std::filesystem::path& out) {
   Measurements measurements = measure_runs(runs, work.measuring);
-  if (!work.with_scene_stiffness.empty())
-    take_contacts_from(measure_runs(runs_with_scene_stiffness(work, out), work.measuring), work.measuring,
-                       measurements);
+  if (!work.with_scene_stiffness.empty()) {
+    const std::vector<FinishedRun> stiff = runs_with_scene_stiffness(work, out);
+    // What does not depend on the springs is the same in both: more beds, more drops.
+    std::vector<FinishedRun> all = runs;
+    all.insert(all.end(), stiff.begin(), stiff.end());
+    for (auto& [key, measured] : measure_runs(all, work.measuring)) {
+      const Quantity* quantity = find_quantity(work.measuring, key.quantity);
+      if (quantity == nullptr || quantity->depends_on_contact_stiffness || quantity->of_packing) continue;
+      measurements[key] = measured;
+    }
+    take_contacts_from(measure_runs(stiff, work.measuring), work.measuring, measurements);
+  }
   if (work.without_runs) measurements.merge(work.without_runs());
   return measurements;
 }
@@ -17,11 +26,12 @@ Judgement judge(const Work& work, const Profile& profile, const std::vector<Clai
                 const std::filesystem::path& out) {
   Judgement judgement{profile, with_shown_runs(work, profile), {}, {}, {}};
   judgement.runs = finished_runs(judgement.shown, out);
+  const Measurements own = measure_runs(own_runs(judgement.runs, profile.name), work.measuring);
+  judgement.left_out = take_out_other_models(judgement.runs);
   judgement.measurements = measure_all(work, judgement.runs, out);
   judgement.evaluations = evaluate(claims, judgement.measurements);
   if (work.name_causes) work.name_causes(judgement.evaluations, out);
-  judge_run_gates(judgement.evaluations, measure_runs(own_runs(judgement.runs, profile.name), work.measuring),
-                  measure_runs(published_runs(profile), work.measuring));
+  judge_run_gates(judgement.evaluations, own, measure_runs(published_runs(profile), work.measuring));
   return judgement;
 }
 

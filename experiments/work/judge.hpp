@@ -17,9 +17,10 @@ Measurements measure_all(const Work& work, const std::vector<FinishedRun>& runs,
 struct Judgement {
   Profile profile;
   Profile shown;                  ///< with_shown_runs
-  std::vector<FinishedRun> runs;  ///< finished ones of `shown`
+  std::vector<FinishedRun> runs;  ///< finished ones of `shown`, of one model for each key
   Measurements measurements;
-  std::vector<Evaluation> evaluations;  ///< in the order of the claims
+  std::vector<Evaluation> evaluations;     ///< in the order of the claims
+  std::vector<FinishedRun> left_out = {};  ///< runs of another model (take_out_other_models)
 };
 
 /// The sequence that `slfb check` and `slfb figures` share: finished runs, measurements, verdicts, causes, and the

@@ -3,7 +3,6 @@
 #include <fmt/core.h>
 #include <spdlog/spdlog.h>
 
-#include <cmath>
 #include <string>
 
 #include "solver/io/vtkhdf.hpp"
@@ -11,18 +10,6 @@
 #include "solver/support/files.hpp"
 
 namespace slfb::simulation {
-namespace {
-
-/// Decimals of the seconds, three or more, that tell snapshots at this interval [s] apart.
-int decimals(double interval) {
-  constexpr int fewest = 3, most = 12;
-  int digits = fewest;
-  for (double scaled = interval * 1e3; digits < most && std::abs(scaled - std::round(scaled)) > 1e-6; scaled *= 10.0)
-    ++digits;
-  return digits;
-}
-
-}  // namespace
 
 Recorder::Recorder(const Scene& scene, Model& model, const Schedule& schedule, const std::filesystem::path& directory,
                    RunResult& result)

@@ -219,7 +219,7 @@ TEST(Drop, AveragesOverThePassageOfTheBed) {
   EXPECT_NEAR(*statistics.local_voidage_maximum, 0.6, 1e-12);
   EXPECT_NEAR(*statistics.lateral_travel, 0.1, 1e-9);
   EXPECT_NEAR(*statistics.time_to_bottom, (height - bed_top) / fall_speed + (bed_top - 0.003) / settling, 2e-3);
-  EXPECT_FALSE(statistics.penetration) << "it went through";
+  EXPECT_FALSE(statistics.rests) << "it went through";
 }
 
 TEST(Drop, TerminalVelocityIsTheSlipAboveTheBed) {
@@ -228,30 +228,39 @@ TEST(Drop, TerminalVelocityIsTheSlipAboveTheBed) {
   EXPECT_NEAR(*statistics.terminal_reynolds, 6600.0, 1e-6);
 }
 
-TEST(Drop, ASphereAtRestOnTheBedHasAPenetration) {
+/// A drop that comes to rest with its lowest point that far below the surface of the bed [m].
+DropSeries resting_at(double depth) {
   DropSeries drop = made_up_drop();
-  // It stops with its lowest point 0.5 mm below the surface, half a bed diameter above the highest centres.
-  const double rest = bed_top + 0.0025 - 0.0005 + 0.003;
-  for (double& z : drop.z) z = std::max(z, rest);
+  for (double& z : drop.z) z = std::max(z, bed_top + 0.0025 - depth + 0.003);
   drop.bottom_time = -1.0;
+  return drop;
+}
+
+// A sphere that meets a hill of the surface sinks from there, however far the mean surface is.
+TEST(Drop, ASphereSinksFromItsFirstContact) {
+  DropSeries drop = resting_at(0.0005);
+  const double hill = drop.z.back() + 0.004;
+  for (std::size_t k = 0; k < drop.z.size(); ++k) drop.cumulative_contacts[k] = drop.z[k] < hill ? 1.0 : 0.0;
   const DropStatistics statistics = statistics_of(drop);
-  ASSERT_TRUE(statistics.penetration);
-  EXPECT_NEAR(*statistics.penetration, 0.0005, 1e-12);
+  EXPECT_TRUE(statistics.rests);
+  ASSERT_TRUE(statistics.sinking);
+  EXPECT_NEAR(*statistics.sinking, 0.004, 0.5e-3 * fall_speed + 1e-9) << "half of what it falls between two samples";
   EXPECT_FALSE(statistics.time_to_bottom);
   EXPECT_FALSE(statistics.force_ratio) << "it never came down to the centres of the bed";
 }
 
+TEST(Drop, SamplesFarApartDoNotTellHowFarASphereSinks) {
+  DropSeries drop = resting_at(0.0005);
+  for (double& time : drop.time) time *= 20.0;
+  EXPECT_TRUE(statistics_of(drop).rests);
+  EXPECT_FALSE(statistics_of(drop).sinking);
+}
+
 // In a hollow of the surface its centre lies below the highest ones, and still it has not gone through the bed.
 TEST(Drop, ASphereInAHollowOfTheSurfaceHasNoPassage) {
-  const auto resting_at = [](double penetration) {
-    DropSeries drop = made_up_drop();
-    for (double& z : drop.z) z = std::max(z, bed_top + 0.0025 - penetration + 0.003);
-    drop.bottom_time = -1.0;
-    return statistics_of(drop);
-  };
-  EXPECT_NEAR(*resting_at(0.007).penetration, 0.007, 1e-12);
-  EXPECT_FALSE(resting_at(0.007).collision_frequency);
-  EXPECT_TRUE(resting_at(0.05).collision_frequency) << "it stays in the bed";
+  EXPECT_TRUE(statistics_of(resting_at(0.007)).rests);
+  EXPECT_FALSE(statistics_of(resting_at(0.007)).collision_frequency);
+  EXPECT_TRUE(statistics_of(resting_at(0.05)).collision_frequency) << "it stays in the bed";
 }
 
 TEST(Voidage, OfThePaperBed) {

@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -39,8 +40,22 @@ Ratio ratio_of(const Measurements& ours, const Measurements& base, const Measure
   const auto a = ours.find(key), b = base.find(key);
   if (a == ours.end() || b == base.end() || !(std::fabs(b->second.value) > 0.0)) return {};
   const double ratio = a->second.value / b->second.value;
+  // A median of drops of which some had not come through has no half-width, but its value is an end of what is
+  // possible.
   return {ratio, std::fabs(ratio) *
                      std::hypot(a->second.half_width / a->second.value, b->second.half_width / b->second.value)};
+}
+
+/// Highest end of any interval of a quantity, for the end of its axis.
+double highest_of(const DataTable& table, std::size_t quantity) {
+  double highest = 2.0;
+  for (const std::vector<double>& row : table.rows)
+    for (std::size_t v = 0; v < velocities.size(); ++v) {
+      const std::size_t column = 1 + 2 * (v * quantities.size() + quantity);
+      const double half_width = std::isfinite(row[column + 1]) ? row[column + 1] : 0.0;
+      if (std::isfinite(row[column])) highest = std::max(highest, row[column] + half_width);
+    }
+  return 1.05 * highest;
 }
 
 FigureOutput draw(const FigureContext& outer) {
@@ -69,7 +84,11 @@ FigureOutput draw(const FigureContext& outer) {
   }
   output.data.push_back(write_csv(table, outer.out));
 
+  std::vector<double> ends;
+  for (std::size_t q = 0; q < quantities.size(); ++q) ends.push_back(highest_of(table, q));
+
   PlotValues values;
+  values.numbers("end", ends);
   std::vector<std::string> change_titles, quantity_titles;
   for (const Change& change : changes()) change_titles.emplace_back(change.title);
   for (const ShownQuantity& quantity : quantities) quantity_titles.emplace_back(quantity.title);

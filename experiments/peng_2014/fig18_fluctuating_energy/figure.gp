@@ -1,9 +1,9 @@
 # Figure 18. Reads fig18_paper_axis.csv and the lists whole_bed and boxes: fluctuating energy against the solid fraction,
 # velocities about the mean of the whole bed and about the means of boxes.
 set key tmargin left vertical maxrows 6 Left reverse font ',12'
-set xrange [0.2:0.6]
+set xrange [0.1:0.6]
 set logscale y
-set yrange [1e-4:3e-2]
+set yrange [2e-5:3e-2]
 set format y '10^{%L}'
 set xlabel 'solid fraction α_S [-]'
 set ylabel 'fluctuating kinetic energy q_p^2 [m²/s²]'

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "experiments/figures/figure_folder.hpp"
@@ -55,6 +56,12 @@ DataTable force_history(const FinishedRun& run, double bed_top, const std::strin
   return table;
 }
 
+/// "1e4", not "10000".
+std::string stiffness_text(double stiffness) {
+  const int power = static_cast<int>(std::floor(std::log10(stiffness) + 1e-9));
+  return fmt::format("{:.2g}e{}", stiffness / std::pow(10.0, power), power);
+}
+
 FigureOutput draw(const FigureContext& context) {
   const auto keys = needs(context.profile);
   const Peng2014& printed = peng_2014();
@@ -67,7 +74,7 @@ FigureOutput draw(const FigureContext& context) {
   const auto own_springs = runs_with_own_springs(context.results);
   output.notes.push_back(springs_note(own_springs));
   std::vector<std::string> headings, remarks, forces;
-  std::vector<double> ends;
+  double common_end = std::numeric_limits<double>::infinity(), highest_drawn = highest;
   for (const Panel& panel : panels) {
     const std::string tag = velocity_text(panel.superficial_velocity);
     const auto voidage =
@@ -85,19 +92,28 @@ FigureOutput draw(const FigureContext& context) {
     const bool simulated = !force.rows.empty();
     if (simulated) output.data.push_back(write_csv(force, context.out));
     forces.push_back(simulated ? force.name : "");
-    ends.push_back(simulated ? force.rows.back()[0] : 1.0);
-    remarks.push_back(simulated
-                          ? fmt::format("sampled every {:.2g} ms", 1e3 * sample_interval(run->result.drops.front()))
-                          : "not yet simulated");
+    if (!simulated) {
+      remarks.emplace_back("not yet simulated");
+      continue;
+    }
+    const auto peak = std::ranges::max_element(force.rows, {}, [](const std::vector<double>& row) { return row[1]; });
+    common_end = std::min(common_end, force.rows.back()[0]);
+    highest_drawn = std::max(highest_drawn, (*peak)[1]);
+    remarks.push_back(
+        fmt::format("springs {} N/m, sampled every {:.2g} ms; passage {:.1f} s, highest peak {:.0f} at {:.2f} s",
+                    stiffness_text(run->scene.contact.stiffness), 1e3 * sample_interval(run->result.drops.front()),
+                    force.rows.back()[0], (*peak)[1], (*peak)[0]));
   }
   PlotValues values;
   values.number("lowest", lowest);
   values.number("highest", highest);
   values.markups("heading", headings);
   values.texts("remark", remarks);
-  values.numbers("end", ends);
+  // One length for all: the panels are compared by how dense their peaks are in time.
+  values.number("end", std::isfinite(common_end) ? common_end : 1.0);
+  values.number("top_of_axis", 10.0 * std::ceil(1.05 * highest_drawn / 10.0));
   values.files("force", forces);
-  draw_plot_of_runs("fig21", folder.plot(), values, {640, 620}, context, keys);
+  draw_plot_of_runs("fig21", folder.plot(), values, {700, 660}, context, keys, own_springs);
   return output;
 }
 

@@ -1,19 +1,19 @@
-# Figure 21. Reads fig21_force_*.csv. Values that figure.cpp sets: lowest and highest peak of the paper; one item per
-# panel of the lists heading, remark, end (of the time axis [s]) and force (table; '' when there is none).
+# Figure 21. Reads fig21_force_*.csv. Values that figure.cpp sets: lowest and highest peak of the paper; end of
+# the time axis [s]; top_of_axis; one item per panel of the lists heading, remark and force (table; '' when there is none).
 set multiplot
 left = 0.12
 right = 0.985
-top = 1 - 30.0/height
+top = 1 - 40.0/height
 bottom = base + 58.0/height
 gap_x = 0.03
-gap_y = 50.0/height
+gap_y = 62.0/height
 panel_width = (right - left - gap_x)/2
 panel_height = (top - bottom - 2*gap_y)/3
 tic_step(end) = end > 5 ? 5 : end > 2 ? 1 : end > 1 ? 0.5 : 0.2
 unset key
-set yrange [0:60]
+set yrange [0:top_of_axis]
 set ytics 20
-set label 2 'paper: peaks in this range' at graph 0.98, graph 0.89 right font ',10'
+set label 2 'paper: peaks between these lines' at graph 0.98, graph 0.93 right font ',10'
 
 do for [i=1:heading_count] {
   column_of_panel = (i - 1) % 2
@@ -24,10 +24,10 @@ do for [i=1:heading_count] {
   set rmargin at screen panel_left + panel_width
   set tmargin at screen panel_top
   set bmargin at screen panel_top - panel_height
-  set title heading[i] font ',11' offset 0,-0.7
-  set label 1 remark[i] at graph 0.5, graph 0.6 center font ',11' textcolor rgb quiet
-  set xrange [0:end[i]]
-  set xtics tic_step(end[i])
+  set title heading[i] font ',11' offset 0,0.1
+  set label 1 remark[i] at graph 0.5, graph 1.03 center font ',8' textcolor rgb quiet
+  set xrange [0:end]
+  set xtics tic_step(end)
   if (column_of_panel == 0) {
     set format y '%g'
     set ylabel '|F_c|/mg [-]' offset -0.2,0

@@ -3,7 +3,7 @@
 set multiplot
 set lmargin at screen 0.14
 set rmargin at screen 0.97
-set xrange [0.42:0.86]
+set xrange [0.42:0.9]
 set xtics 0.1
 middle = base + 0.5*(1 - base)
 

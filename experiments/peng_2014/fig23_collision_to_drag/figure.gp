@@ -1,7 +1,7 @@
 # Figure 23. Reads fig23_laws.csv, fig23_paper.csv, the list simulated (ratio against the voidage) and the number largest
 # that figure.cpp sets.
 set key tmargin left vertical maxrows 7 Left reverse font ',12'
-set xrange [0.42:0.86]
+set xrange [0.42:0.9]
 set yrange [0:12]
 set ytics 2
 set xlabel 'voidage α_L [-]'
