@@ -7,11 +7,12 @@ STUDIES ?= quick
 WARNINGS = $(if $(CI),-DCMAKE_COMPILE_WARNING_AS_ERROR=ON)
 SOURCES = git ls-files --cached --others --exclude-standard '*.cpp' '*.hpp'
 
-.PHONY: help figures pdf test program build install format layout lint sanitize debug asan tsan
+.PHONY: help figures pdf article test program build install format layout lint sanitize debug asan tsan
 
 help:
 	@echo "make figures  the figures of the paper and the report (PROFILE, STUDIES = quick or full)"
 	@echo "make pdf      the report as build/report/report.pdf, after make figures"
+	@echo "make article  the reproduction as an article, build/article/article.pdf"
 	@echo "make test     all tests"
 	@echo "make program  build/slfb alone"
 	@echo "make build    build/slfb and the tests"
@@ -33,6 +34,11 @@ figures: program
 pdf:
 	@.ci/install print
 	weasyprint --quiet build/report/print.html build/report/report.pdf
+
+article: program
+	@.ci/install print
+	build/slfb article --profile $(PROFILE)
+	weasyprint --quiet build/article/article.html build/article/article.pdf
 
 test: build
 	ctest --preset release --parallel $(JOBS)
