@@ -7,12 +7,13 @@ STUDIES ?= quick
 WARNINGS = $(if $(CI),-DCMAKE_COMPILE_WARNING_AS_ERROR=ON)
 SOURCES = git ls-files --cached --others --exclude-standard '*.cpp' '*.hpp'
 
-.PHONY: help figures pdf man test program build install format layout lint sanitize parts debug asan tsan
+.PHONY: help figures pdf article man test program build install format layout lint sanitize parts debug asan tsan
 
 help:
 	@echo "make figures  the report from committed results, then simulations, then charts of methods (PROFILE, STUDIES = quick or full)"
 	@echo "make pdf      the report as build/report/report.pdf, after make figures"
 	@echo "make man      manual page and shell completion, build/slfb.1 and build/slfb.bash"
+	@echo "make article  the reproduction as an article, build/article/article.pdf"
 	@echo "make test     all tests"
 	@echo "make program  build/slfb alone"
 	@echo "make build    build/slfb and the tests"
@@ -35,6 +36,11 @@ man: program
 	@.ci/install tools
 	cmake --preset release
 	cmake --build --preset release --target man
+
+article: program
+	@.ci/install print
+	build/slfb article --profile $(PROFILE)
+	weasyprint --quiet build/article/article.html build/article/article.pdf
 
 test: build
 	ctest --preset release --parallel $(JOBS)

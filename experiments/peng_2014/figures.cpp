@@ -38,6 +38,7 @@ const std::vector<Figure>& figures() {
                             drag_law_question::figure(),
                             printed_voidage::figure(),
                             causes::figure(),
+                            most_likely::figure(),
                             from_66_hours::figure(),
                             paper_steps::figure(),
                             planned_figures::figure()};

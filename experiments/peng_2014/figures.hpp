@@ -131,6 +131,10 @@ Figure figure();
 namespace printed_voidage {
 Figure figure();
 }
+/// Which reading of what the paper leaves open its numbers speak for: ranking, implausibility, packed line and V_2.
+namespace most_likely {
+Figure figure();
+}
 /// Steps and stiffness of the paper beside the limits of the stability maps, and what its contact step changes.
 namespace paper_steps {
 Figure figure();

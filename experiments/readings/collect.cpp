@@ -31,7 +31,9 @@ std::optional<Reading> reading_of(const Choices& choices, const std::string& var
   }
 }
 
-bool is_of_drops(const MeasuringRules& rules, const std::string& id) {
+bool is_of_drops(const MeasuringRules& rules, const Evidence& evidence) {
+  if (evidence.of_drop) return true;
+  const std::string& id = evidence.printed.quantity;
   const Quantity* quantity = find_quantity(rules, id);
   if (quantity == nullptr) throw std::invalid_argument("readings: there is no quantity \"" + id + "\"");
   return !std::holds_alternative<OfBed>(quantity->computed) && !std::holds_alternative<OfRun>(quantity->computed);
@@ -73,13 +75,17 @@ OfSeed beds(const std::string& quantity, const std::vector<const Measured*>& run
   return values;
 }
 
-std::vector<double> drops(const std::string& quantity, const std::vector<const Measured*>& runs) {
+std::vector<double> drops(const Evidence& evidence, const std::vector<const Measured*>& runs) {
+  const auto number_of = [&](const std::map<std::string, double>& drop) -> std::optional<double> {
+    if (evidence.of_drop) return evidence.of_drop(drop);
+    const auto value = drop.find(evidence.printed.quantity);
+    return value == drop.end() ? std::nullopt : std::optional(value->second);
+  };
   std::vector<double> samples;
   for (const Measured* one : runs)
     for (const auto& drop : one->summary.drops) {
-      const auto value = drop.find(quantity);
-      samples.push_back(value == drop.end() || !(value->second > 0.0) ? std::numeric_limits<double>::quiet_NaN()
-                                                                      : std::log(value->second));
+      const auto value = number_of(drop);
+      samples.push_back(value && *value > 0.0 ? std::log(*value) : std::numeric_limits<double>::quiet_NaN());
     }
   return samples;
 }
@@ -92,8 +98,8 @@ ReadingRuns runs_of(const Reading& reading, const std::vector<Evidence>& evidenc
   std::map<std::string, std::vector<std::size_t>> drop_blocks;
   for (std::size_t i = 0; i < evidence.size(); ++i) {
     const auto found = answering(evidence[i], runs, rules);
-    if (is_of_drops(rules, evidence[i].printed.quantity)) {
-      result.samples[i] = drops(evidence[i].printed.quantity, found);
+    if (is_of_drops(rules, evidence[i])) {
+      result.samples[i] = drops(evidence[i], found);
       drop_blocks[evidence[i].printed.block].push_back(i);
     } else if (OfSeed values = beds(evidence[i].printed.quantity, found); !values.empty()) {
       blocks[evidence[i].printed.block][i] = std::move(values);

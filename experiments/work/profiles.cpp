@@ -12,7 +12,6 @@
 #include <utility>
 
 #include "experiments/numerics/plan/plan.hpp"
-#include "experiments/readings/choices.hpp"
 #include "experiments/runs/run_files.hpp"
 #include "solver/support/toml_table.hpp"
 
@@ -23,9 +22,7 @@ namespace {
 class Definitions {
  public:
   explicit Definitions(const Work& work)
-      : file_(work.folders.experiments / "profiles.toml"),
-        root_(parse_toml_file(file_)),
-        choices_(work.folders.experiments / "readings.toml") {}
+      : file_(work.folders.experiments / "profiles.toml"), root_(parse_toml_file(file_)) {}
 
   /// Table `name` of a group ("profiles", "systems", "variants").
   [[nodiscard]] TomlTable entry(const std::string& group, const std::string& name) const {
@@ -55,13 +52,9 @@ class Definitions {
     return common == nullptr ? std::vector<std::string>{} : TomlTable(*common, file_.string()).texts("differences");
   }
 
-  /// What readings.toml of the work has; it is read where a run names a design.
-  [[nodiscard]] readings::Choices choices() const { return readings::load_choices(choices_); }
-
  private:
   std::filesystem::path file_;
   toml::table root_;
-  std::filesystem::path choices_;
 };
 
 void append(std::vector<std::string>& list, const std::vector<std::string>& more) {
@@ -72,11 +65,11 @@ void append(std::vector<std::string>& list, const std::vector<std::string>& more
 using Variant = std::pair<std::string, Overrides>;
 
 /// The variant of a [[profiles.NAME.runs]], or the readings of its design; "" where it names neither.
-std::vector<Variant> variants_of_run(TomlTable& run, const Definitions& definitions) {
+std::vector<Variant> variants_of_run(TomlTable& run, const Work& work, const Definitions& definitions) {
   const std::string variant = run.text("variant", ""), design = run.text("design", "");
   if (!design.empty()) {
     if (!variant.empty()) throw run.problem("variant", "stands beside a design; allowed is one of them");
-    const readings::Choices choices = definitions.choices();
+    const readings::Choices choices = load_choices(work);
     std::vector<Variant> variants;
     try {
       for (const readings::Reading& reading : choices.design(design))
@@ -151,7 +144,8 @@ std::vector<std::string> profile_names(const Work& work) {
 Profile load_profile(const Work& work, const std::string& name) {
   const Definitions definitions(work);
   TomlTable table = definitions.entry("profiles", name);
-  Profile profile{name, definitions.common_differences(), {}};
+  Profile profile{name, {}, {}};
+  if (!table.flag("own_differences_only")) profile.differences = definitions.common_differences();
   append(profile.differences, table.texts("differences"));
   const auto profile_overrides = table.texts("overrides");
   const auto asked = table.texts("planned_for");
@@ -160,10 +154,11 @@ Profile load_profile(const Work& work, const std::string& name) {
   for (TomlTable& run : table.tables("runs")) {
     const auto system = run.text("system");
     TomlTable definition = definitions.entry("systems", system);
-    const auto scene = work.folders.experiments / "scenes" / definition.text("scene");
+    const std::string of_definition = definition.text("scene");
+    const auto scene = work.folders.experiments / "scenes" / run.text("scene", of_definition);
     const auto of_system = definition.texts("overrides");
     const bool designed = run.has("design");
-    const auto variants = variants_of_run(run, definitions);
+    const auto variants = variants_of_run(run, work, definitions);
     const auto seeds = seeds_of_run(run, scene, of_system);
     const auto of_run = run.texts("overrides");
     for (const double velocity : run.numbers("superficial_velocities")) {
@@ -195,6 +190,10 @@ Profile load_profile(const Work& work, const std::string& name) {
   for (std::string& key : table.texts("whole")) profile.whole.insert(std::move(key));
   table.reject_others();
   return profile;
+}
+
+readings::Choices load_choices(const Work& work) {
+  return readings::load_choices(work.folders.experiments / "readings.toml");
 }
 
 Profile with_shown_runs(const Work& work, Profile profile) {

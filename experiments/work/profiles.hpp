@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "experiments/readings/choices.hpp"
 #include "experiments/runs/campaign.hpp"
 #include "experiments/work/work.hpp"
 
@@ -16,6 +17,9 @@ std::vector<std::string> profile_names(const Work& work);
 /// Throws std::runtime_error with file, line and key; for an unknown name, or an unknown system or variant of a run, it
 /// lists the known ones.
 Profile load_profile(const Work& work, const std::string& name);
+
+/// The choices that the source leaves open, from its readings.toml. Throws as readings::load_choices.
+readings::Choices load_choices(const Work& work);
 
 /// The profile and the runs of Work::shown_beside: what figures and claims use where results exist. Only the profile's
 /// own runs are simulated with it.

@@ -136,6 +136,28 @@ TEST_F(ProfileDesigns, AReadingOfTwoDesignsIsOneRun) {
                                                   "sand/0.07/dull_smooth"}));
 }
 
+TEST_F(ProfileDesigns, RunsMayHaveASceneOfTheirOwn) {
+  const Profile both = profile(std::string(run) + "scene = \"other.toml\"\n" + run);
+  EXPECT_EQ(both.runs[0].scene.filename(), "other.toml");
+  EXPECT_EQ(both.runs[1].scene.filename(), "bed.toml");
+}
+
+TEST_F(ProfileDesigns, WhatAllProfilesShareMayBeUntrueOfOne) {
+  write_file(folder_.path() / "profiles.toml", R"(
+[systems.sand]
+scene = "bed.toml"
+[common]
+differences = ["Sand is round."]
+[profiles.round]
+differences = ["Short."]
+[profiles.edged]
+own_differences_only = true
+differences = ["Sand is edged."]
+)");
+  EXPECT_EQ(load_profile(work_, "round").differences, (std::vector<std::string>{"Sand is round.", "Short."}));
+  EXPECT_EQ(load_profile(work_, "edged").differences, (std::vector<std::string>{"Sand is edged."}));
+}
+
 TEST_F(ProfileDesigns, WrongProfilesAreExplained) {
   const auto has = [&](const std::string& more, const std::string& part) {
     EXPECT_NE(problem(run + more).find(part), std::string::npos) << problem(run + more);

@@ -30,7 +30,7 @@ PrintedNumber number(const std::string& quantity, double velocity, double value,
 
 Evidence evidence(const std::string& quantity, double velocity, double value, Part part = Part::test,
                   const std::string& block = "drops") {
-  return {number(quantity, velocity, value, part, block), "sand", velocity, ""};
+  return {number(quantity, velocity, value, part, block), "sand", velocity, "", {}};
 }
 
 const std::filesystem::path scene_file = source_folder() / "experiments/scenes/fluidised_box.toml";
@@ -79,6 +79,20 @@ TEST(Collect, DropsThatDoNotArriveKeepTheirPlace) {
   ASSERT_EQ(samples[0].size(), 3U);
   EXPECT_TRUE(std::isnan(samples[0][1]));
   EXPECT_TRUE(samples[1].empty()) << "a number that no drop has beside another of its block was not recorded";
+}
+
+TEST(Collect, ANumberMayFollowFromThoseOfItsDrop) {
+  std::vector<FinishedRun> runs{run("base", 0.06, 1)};
+  runs[0].summary->drops = {drop(0.1), drop(std::nan(""))};
+  Evidence doubled = evidence("twice V_2", 0.06, 0.2);
+  doubled.of_drop = [](const std::map<std::string, double>& numbers) -> std::optional<double> {
+    const auto found = numbers.find("classification_velocity");
+    return found == numbers.end() ? std::nullopt : std::optional(2.0 * found->second);
+  };
+  const auto samples = collect(choices(), {doubled}, runs, general_rules())[0].runs.samples[0];
+  ASSERT_EQ(samples.size(), 2U);
+  EXPECT_NEAR(std::exp(samples[0]), 0.2, 1e-12);
+  EXPECT_TRUE(std::isnan(samples[1]));
 }
 
 TEST(Collect, NumbersOfABedHaveTheSeedsInCommon) {

@@ -42,7 +42,10 @@ TEST(Scenes, WorkingAndLiteralSceneAreTheSameCase) {
   EXPECT_EQ(literal.species[0].count, 3600);
   EXPECT_EQ(literal.fluid.pressure_velocity, PressureVelocity::simple);
   EXPECT_EQ(literal.coupling.void_fraction, VoidFractionScheme::particle_meshing);
+  EXPECT_EQ(literal.coupling.interpolation, Interpolation::gradient);
+  EXPECT_EQ(literal.start.arrangement, Arrangement::random);
   Scene numerics_exchanged = working;
+  numerics_exchanged.start = literal.start;
   numerics_exchanged.fluid = literal.fluid;
   numerics_exchanged.coupling = literal.coupling;
   numerics_exchanged.stages = literal.stages;
@@ -70,7 +73,7 @@ TEST_P(EachProfile, SayWhatSetsThemApart) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(All, EachProfile, testing::Values("quick", "full", "springs", "paper-steps"));
+INSTANTIATE_TEST_SUITE_P(All, EachProfile, testing::Values("quick", "full", "springs", "paper-steps", "literal"));
 
 class ProfileOfReadings : public testing::TestWithParam<std::string> {};
 
@@ -86,7 +89,7 @@ TEST_P(ProfileOfReadings, HoldDistinctRunsOfValidScenes) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(All, ProfileOfReadings, testing::Values("packed", "screening"));
+INSTANTIATE_TEST_SUITE_P(All, ProfileOfReadings, testing::Values("packed", "screening", "candidates"));
 
 TEST(Profiles, QuickCoversTheVelocitiesOfTheFirstFigures) {
   const Profile quick = load_profile("quick");
@@ -103,10 +106,12 @@ TEST(Profiles, UnknownNameListsTheKnownOnes) {
     load_profile("swift");
     FAIL();
   } catch (const std::runtime_error& error) {
-    EXPECT_NE(std::string(error.what())
-                  .find("known: \"causes\", \"drag-law\", \"full\", \"packed\", \"paper-steps\", \"quick\", "
-                        "\"screening\", \"springs\""),
-              std::string::npos)
+    EXPECT_NE(
+        std::string(error.what())
+            .find(
+                "known: \"candidates\", \"causes\", \"drag-law\", \"full\", \"literal\", \"packed\", \"paper-steps\", "
+                "\"quick\", \"screening\", \"springs\""),
+        std::string::npos)
         << error.what();
   }
 }

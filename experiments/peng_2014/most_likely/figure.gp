@@ -1,0 +1,85 @@
+# What was most likely simulated. Reads most_likely_ranking.csv and most_likely_implausibility.csv (a row per reading),
+# most_likely_paper_line.csv, most_likely_paper_velocity.csv and the tables of the lists packed_curve and velocity_curve,
+# one item per reading of the list curve_title. Lists that figure.cpp sets: reading, number (their titles).
+lowest = -12
+inside(x) = x < lowest ? lowest : x
+# What a reading was not run for stands outside the axes.
+known(k) = valid(k) ? inside(column(k)) : 9
+array curve_colour[3] = [ours, variant, second_variant]
+array curve_point[3] = [7, 5, 9]
+
+set multiplot
+set tmargin at screen 1 - 40.0/height
+set bmargin at screen base + 170.0/height
+
+# Evidence.
+set lmargin at screen 0.27
+set rmargin at screen 0.40
+set title 'evidence' font ',13'
+set xrange [lowest:0.4]
+set xtics 4
+set yrange [reading_count - 0.4:-0.6]
+set ytics ('' 0)
+do for [k=1:reading_count] { set ytics add (reading[k] k - 1) font ',10' }
+set grid x y
+set key at screen 0.01, screen 1 - 4.0/height left top Left reverse horizontal font ',11' maxrows 1
+plot 'most_likely_ranking.csv' skip 1 using (known(2)):1 with points linecolor rgb ours pointtype 7 pointsize 1.1 \
+    title 'all counted numbers', \
+  '' skip 1 using (known(3)):1 with points linecolor rgb variant pointtype 5 pointsize 0.7 title 'packed bed', \
+  '' skip 1 using (known(4)):1 with points linecolor rgb second_variant pointtype 9 pointsize 0.8 title 'drops', \
+  '' skip 1 using (known(5)):1 with points linecolor rgb quiet pointtype 2 pointsize 0.6 title 'penalty'
+eval footer_drawn
+
+# Implausibility.
+unset key
+set lmargin at screen 0.415
+set rmargin at screen 0.72
+set title 'implausibility' font ',13'
+set ytics ('' 0)
+do for [k=1:reading_count] { set ytics add ('' k - 1) }
+set xrange [-0.7:number_count - 0.3]
+set xtics ('' 0) rotate by 60 right font ',9'
+do for [k=1:number_count] { set xtics add (number[k] k - 1) }
+set cbrange [0:6]
+set colorbox user origin screen 0.728, screen (base + 0.35) size screen 0.008, screen 0.3
+set cbtics 3 font ',10'
+plot 'most_likely_implausibility.csv' skip 1 using 2:1:(valid(3) ? ($3 > 6 ? 6 : $3) : NaN) \
+    with points palette pointtype 5 pointsize 1.3 notitle, \
+  '' skip 1 using ($4 > 0 ? NaN : $2):1 with points linecolor rgb '#ffffff' pointtype 1 pointsize 0.6 notitle, \
+  '' skip 1 using (!valid(3) && $5 > 0 ? $2 : NaN):1 with points linecolor rgb quiet pointtype 2 pointsize 0.7 notitle
+unset colorbox
+
+# The line of the packed bed.
+set lmargin at screen 0.815
+set rmargin at screen 0.985
+set tmargin at screen 1 - 60.0/height
+set bmargin at screen base + 0.5*(1 - base) + 40.0/height
+set title 'packed bed' font ',13'
+set xtics norotate autofreq font ',11'
+set ytics autofreq font ',11'
+set xtics 0.01
+set xrange [0.02:0.055]
+set yrange [0:1800]
+set ytics 500
+set xlabel 'U_L [m/s]' font ',11'
+set ylabel 'pressure drop [Pa]' font ',11' offset 1.5
+plot 'most_likely_paper_line.csv' skip 1 using 1:2 with lines linestyle 1 notitle, \
+  for [k=1:packed_curve_count] (packed_curve[k] eq '' ? '$empty_list' : packed_curve[k]) skip 1 using 1:2:(half_width(3)) \
+    with yerrorbars linecolor rgb curve_colour[k] pointtype curve_point[k] pointsize 0.8 notitle
+
+# V_2.
+set tmargin at screen base + 0.5*(1 - base) - 40.0/height
+set bmargin at screen base + 120.0/height
+set title 'V_2' font ',13'
+set xrange [0.04:0.26]
+set xtics 0.05
+set yrange [0:0.5]
+set ytics 0.1
+set ylabel 'V_2 [m/s]' font ',11' offset 1.5
+set key at screen 0.76, screen (base + 60.0/height) left top Left reverse font ',9' maxrows 4
+plot 'most_likely_paper_velocity.csv' skip 1 using 1:2 with points linecolor rgb paper pointtype 6 pointsize 0.8 \
+    title 'paper', \
+  for [k=1:velocity_curve_count] (velocity_curve[k] eq '' ? '$empty_list' : velocity_curve[k]) skip 1 \
+    using 1:2:(half_width(3)) with yerrorbars linecolor rgb curve_colour[k] pointtype curve_point[k] pointsize 0.8 \
+    title curve_title[k]
+unset multiplot
