@@ -25,6 +25,13 @@ std::string percent(double ratio) { return fmt::format("{:+.1f} %", 100.0 * rati
 /// A number that may not exist.
 ordered_json number(double value) { return std::isfinite(value) ? ordered_json(value) : ordered_json(nullptr); }
 
+/// With two or three groups the upper end says nothing.
+std::string interval_text(const Statistic& found) {
+  return found.spread_upper > 1.0
+             ? fmt::format("from {:.1f} %", 100.0 * found.spread_lower)
+             : fmt::format("{:.1f}-{:.1f} %", 100.0 * found.spread_lower, 100.0 * found.spread_upper);
+}
+
 bool is_marked(const std::string& law, const std::vector<std::string>& marked) {
   return std::ranges::any_of(marked, [&](const std::string& name) { return law == name || law == name + " + wall"; });
 }
@@ -81,7 +88,7 @@ std::vector<std::filesystem::path> draw_chart(const std::vector<Table>& tables, 
   add("slow", "settling-slow", false);
   add("packed", "packed", false);
   values.texts("law", order);
-  draw_plot("league", chart.plot(), values, {980, 120 + 22 * static_cast<int>(order.size())}, folder);
+  draw_plot("league", chart.plot(), values, {980, 136 + 22 * static_cast<int>(order.size())}, folder);
   return files;
 }
 
@@ -111,8 +118,7 @@ std::string tables_text(const std::vector<Table>& tables, std::size_t rows, cons
       }
       text += fmt::format("  {:<4}{:<38}{:>9}{:>16}{:>9}{:>17}{:>9}{}\n", i + 1, standing.law,
                           percent(found.bias - 1.0), fmt::format("{:.1f} %", 100.0 * found.mean_half_width),
-                          fmt::format("{:.1f} %", 100.0 * found.spread),
-                          fmt::format("{:.1f}-{:.1f} %", 100.0 * found.spread_lower, 100.0 * found.spread_upper),
+                          fmt::format("{:.1f} %", 100.0 * found.spread), interval_text(found),
                           fmt::format("{:.1f} %", 100.0 * found.root_mean_square), bed_columns(table, standing));
     }
   }

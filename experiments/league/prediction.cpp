@@ -82,6 +82,11 @@ std::vector<ExpansionLine> near_lines(const Bed& bed, const std::vector<Expansio
   return near;
 }
 
+double voidage_by_line(const ExpansionLine& line, const Bed& bed, double superficial_velocity) {
+  const double intercept = line.intercept * terminal_velocity(bed) / terminal_velocity(bed_of(line));
+  return std::pow(superficial_velocity / intercept, 1.0 / line.exponent);
+}
+
 std::vector<Evidence> evidence_for(const Bed& bed, const std::vector<Contender>& laws,
                                    const std::vector<ExpansionLine>& lines) {
   const auto near = near_lines(bed, lines);

@@ -29,6 +29,10 @@ struct Evidence {
 /// being |Δ log10 Ar| and |Δ(d/D)| over 0.1 together, as many groups as are given and all that are within 1.
 std::vector<ExpansionLine> near_lines(const Bed& bed, const std::vector<ExpansionLine>& lines, std::size_t groups = 5);
 
+/// Voidage of a bed by the measured line of another, as if the two were alike: the line's velocity over the terminal
+/// velocity of its own spheres is that of the bed over that of its spheres, both by Brown & Lawler (2003).
+double voidage_by_line(const ExpansionLine& line, const Bed& bed, double superficial_velocity);
+
 /// Every law in the near beds, the smallest root mean square first.
 std::vector<Evidence> evidence_for(const Bed& bed, const std::vector<Contender>& laws,
                                    const std::vector<ExpansionLine>& lines);

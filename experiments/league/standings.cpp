@@ -57,7 +57,7 @@ void sort(std::vector<Standing>& standings) {
 /// Suspensions that settle, extrapolated to one sphere, against the laws for one sphere.
 Table single_spheres(const std::vector<ExpansionLine>& lines, double measured_spread) {
   Table table{{"one-sphere", "one sphere: the lines of suspensions that settle, extrapolated to voidage 1",
-               "one sphere", [](const ExpansionLine& line, double) { return !fluidised(line); }},
+               "one sphere", false, [](const ExpansionLine& line, double) { return !fluidised(line); }},
               {}};
   for_each_law<drag::single_sphere::SingleSphereLaws>([&](const auto& law) {
     std::vector<Comparison> comparisons;
@@ -80,7 +80,7 @@ void for_each_drag_law(const std::vector<drag::DragLawKernels>& user, Use use) {
 }
 
 Table packed_beds(const std::vector<drag::DragLawKernels>& user, const std::vector<PackedBedPoint>& points) {
-  Table table{{"packed", "packed beds, Re/(1 − ε) from 0.5 to 3000", "packed bed",
+  Table table{{"packed", "packed beds, Re/(1 − ε) from 0.5 to 3000", "packed bed", false,
                [](const ExpansionLine&, double) { return false; }},
               {}};
   if (points.empty()) return table;
@@ -156,24 +156,24 @@ double packed_spread(const std::vector<PackedBedPoint>& points) {
 
 const std::vector<Regime>& regimes() {
   static const std::vector<Regime> list{
-      {"fluidised", "fluidised beds", "bed", [](const ExpansionLine& line, double) { return fluidised(line); }},
-      {"fluidised-slow", "fluidised beds, terminal Re from 1 to 500", "bed",
+      {"fluidised", "fluidised beds", "bed", true, [](const ExpansionLine& line, double) { return fluidised(line); }},
+      {"fluidised-slow", "fluidised beds, terminal Re from 1 to 500", "bed", true,
        [](const ExpansionLine& line, double) {
          return fluidised(line) && reynolds_of(line) >= slow_below && reynolds_of(line) <= fast_above;
        }},
-      {"fluidised-fast", "fluidised beds, terminal Re above 500", "bed",
+      {"fluidised-fast", "fluidised beds, terminal Re above 500", "bed", true,
        [](const ExpansionLine& line, double) { return fluidised(line) && reynolds_of(line) > fast_above; }},
-      {"fluidised-dense", "fluidised beds, voidage 0.5 and 0.6", "bed",
+      {"fluidised-dense", "fluidised beds, voidage 0.5 and 0.6", "bed", true,
        [](const ExpansionLine& line, double voidage) { return fluidised(line) && voidage <= dense_up_to; }},
-      {"fluidised-dilute", "fluidised beds, voidage 0.7 to 0.9", "bed",
+      {"fluidised-dilute", "fluidised beds, voidage 0.7 to 0.9", "bed", true,
        [](const ExpansionLine& line, double voidage) { return fluidised(line) && voidage > dense_up_to; }},
-      {"fluidised-wide", "fluidised beds in tubes of more than 25 diameters", "bed",
+      {"fluidised-wide", "fluidised beds in tubes of more than 25 diameters", "bed", true,
        [](const ExpansionLine& line, double) { return fluidised(line) && line.diameter_ratio() < narrow_from; }},
-      {"fluidised-narrow", "fluidised beds in tubes of less than 25 diameters", "bed",
+      {"fluidised-narrow", "fluidised beds in tubes of less than 25 diameters", "bed", true,
        [](const ExpansionLine& line, double) { return fluidised(line) && line.diameter_ratio() >= narrow_from; }},
-      {"settling-creeping", "suspensions that settle, terminal Re below 1", "bed",
+      {"settling-creeping", "suspensions that settle, terminal Re below 1", "bed", false,
        [](const ExpansionLine& line, double) { return !fluidised(line) && reynolds_of(line) < slow_below; }},
-      {"settling-slow", "suspensions that settle, terminal Re from 1 to 500", "bed",
+      {"settling-slow", "suspensions that settle, terminal Re from 1 to 500", "bed", false,
        [](const ExpansionLine& line, double) { return !fluidised(line) && reynolds_of(line) >= slow_below; }},
   };
   return list;
@@ -213,7 +213,9 @@ std::vector<Table> league_tables(const std::vector<drag::DragLawKernels>& user) 
   std::vector<Table> tables;
   for (const Regime& regime : regimes()) {
     Table table{regime, {}};
-    for (const Contender& contender : laws) table.standings.push_back(stand(contender, all.lines, regime, spread));
+    for (const Contender& contender : laws)
+      if (regime.has_walls || !contender.with_wall())
+        table.standings.push_back(stand(contender, all.lines, regime, spread));
     sort(table.standings);
     tables.push_back(std::move(table));
   }

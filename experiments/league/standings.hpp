@@ -40,6 +40,7 @@ struct Regime {
   std::string id;     ///< "fluidised-dilute"
   std::string title;  ///< in words, with its bounds
   std::string kind;   ///< what is compared: "bed", "packed bed", "one sphere"
+  bool has_walls;     ///< whether the wall's part of a law says something of it
   /// Which points of lines belong to it; unused for packed beds and single spheres.
   std::function<bool(const ExpansionLine&, double voidage)> has;
 };

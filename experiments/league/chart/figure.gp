@@ -6,7 +6,7 @@ set xrange [-45:65]
 set xtics 20
 set grid noxtics noytics
 set tmargin at screen 1 - 62.0/height
-set bmargin at screen 48.0/height
+set bmargin at screen 64.0/height
 set xlabel 'bias [%]'
 set arrow 1 from 0, graph 0 to 0, graph 1 nohead linecolor rgb paper linewidth 1
 do for [k=1:law_count] { set arrow 1 + k from graph 0, first k to graph 1, first k nohead back linecolor rgb '#e9ecef' }
