@@ -3,6 +3,7 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <filesystem>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -48,9 +49,12 @@ struct LeagueOptions {
   [[nodiscard]] bool asks_for_a_bed() const { return !scene.empty() || !diameter.empty() || !density.empty(); }
 };
 
+/// With its unit, or a bare number in SI units.
 double quantity(const std::string& option, const std::string& text, const units::Dimension& dimension) {
   try {
-    const double value = units::parse_quantity(text, dimension);
+    char* end = nullptr;
+    const double bare = std::strtod(text.c_str(), &end);
+    const double value = !text.empty() && *end == '\0' ? bare : units::parse_quantity(text, dimension);
     if (!(value > 0.0)) throw std::invalid_argument("is not above zero");
     return value;
   } catch (const std::invalid_argument& error) {

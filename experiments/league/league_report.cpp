@@ -144,18 +144,23 @@ std::string evidence_text(const Bed& bed, const std::vector<Evidence>& evidence,
                         fmt::format("{:.0f} %", 100.0 * one.statistic.root_mean_square),
                         fmt::format("{:.0f} %", 100.0 * one.largest), percent(std::expm1(one.statistic.mean)));
   };
-  std::vector<std::string> others;
+  std::vector<std::string> within_20, within_30, beyond;
   std::size_t shown = 0;
   for (const Evidence& one : evidence) {
-    const bool good = one.statistic.root_mean_square <= near;
-    if (good || shown < 3 || is_marked(one.law->name(), marked)) {
+    const double error = one.statistic.root_mean_square;
+    if (error <= near || shown < 3 || is_marked(one.law->name(), marked)) {
       line(one);
       ++shown;
     } else {
-      others.push_back(fmt::format("{} {:.0f} %", one.law->name(), 100.0 * one.statistic.root_mean_square));
+      (error <= 2.0 * near ? within_20 : error <= 3.0 * near ? within_30 : beyond).push_back(one.law->name());
     }
   }
-  if (!others.empty()) text += fmt::format("Others, typically within: {}\n", fmt::join(others, ", "));
+  const auto list = [&](const std::string& title, const std::vector<std::string>& names) {
+    if (!names.empty()) text += fmt::format("{}: {}\n", title, fmt::join(names, ", "));
+  };
+  list("Typically within 20 %", within_20);
+  list("Typically within 30 %", within_30);
+  list("Farther off", beyond);
   return text;
 }
 
