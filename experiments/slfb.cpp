@@ -38,6 +38,8 @@ constexpr const char* examples = R"(Examples:
   slfb law gidaspow-1994 --voidage 0.5 --re 100      one law at one point
   slfb compare --drag gidaspow-1994,mine.cpp         your own law beside the literature, in formulas and simulations
   slfb show experiments/scenes/fluidised_box.toml    what a finished run holds, drawn on one page
+  slfb league                                        which laws are near to measured beds
+  slfb predict scene.toml                            voidage, U_mf, pressure drop before a run, and how sure they are
   slfb list                                          what there is
 
 `slfb COMMAND --help` or `slfb help COMMAND` explains a command.)";
@@ -122,6 +124,8 @@ int main(int argc, char** argv) {
     slfb::add_plan_command(app);
     slfb::add_frontier_command(app);
     slfb::add_stability_command(app);
+    slfb::add_league_command(app);
+    slfb::add_predict_command(app);
     slfb::add_laws_command(app);
     slfb::add_law_command(app);
     slfb::add_bench_command(app);

@@ -56,6 +56,12 @@ void add_laws_command(CLI::App& app);
 /// `slfb law`: one law with the values that it gives for the arguments it takes.
 void add_law_command(CLI::App& app);
 
+/// `slfb league`: every law against all measurements, and the laws that were near in beds like one that is asked for.
+void add_league_command(CLI::App& app);
+
+/// `slfb predict`: what is to be expected of a scene's bed, with its uncertainty.
+void add_predict_command(CLI::App& app);
+
 /// `slfb bench`: how fast the parts of the solver are on this machine.
 void add_bench_command(CLI::App& app);
 

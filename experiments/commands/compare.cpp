@@ -19,6 +19,7 @@
 #include "experiments/compare/bed_figures.hpp"
 #include "experiments/compare/contact_report.hpp"
 #include "experiments/compare/drag_report.hpp"
+#include "experiments/league/league_report.hpp"
 #include "experiments/runs/measure.hpp"
 #include "experiments/runs/run_estimate.hpp"
 #include "experiments/runs/run_files.hpp"
@@ -188,6 +189,30 @@ int finish(const CampaignOutcome& outcome, const fs::path& folder) {
   return outcome.exit_status();
 }
 
+/// The league with the laws of the user among those of the suite.
+std::vector<league::Table> league_of(const std::vector<compare::ComparedDragLaw>& laws) {
+  std::vector<drag::DragLawKernels> user;
+  for (const auto& compared : laws)
+    if (is_user_law(compared.argument)) user.push_back(compared.law);
+  return league::league_tables(user);
+}
+
+/// Place and root mean square of each law in the league, one line for each kind of measurement that has drag laws.
+void print_places(const std::vector<league::Table>& tables, const std::vector<std::string>& laws) {
+  for (const league::Table& table : tables) {
+    std::vector<std::string> cells;
+    for (const std::string& law : laws) {
+      const auto found = std::ranges::find(table.standings, law, &league::Standing::law);
+      if (found == table.standings.end()) continue;
+      cells.push_back(found->without_answer > 0
+                          ? "no answer"
+                          : fmt::format("{} of {}, {:.0f} %", found - table.standings.begin() + 1,
+                                        table.standings.size(), 100.0 * found->statistic.root_mean_square));
+    }
+    if (cells.size() == laws.size()) print_row("measured: " + table.regime.id, cells);
+  }
+}
+
 int compare_drag(const Work& work, const Options& options) {
   const Question asked = question(work, options);
   const ComparisonBed& bed = asked.bed;
@@ -214,6 +239,10 @@ int compare_drag(const Work& work, const Options& options) {
     notes.push_back(
         {laws[i].name(), compare::uses_outside_range(laws[i].law, bed, comparison.candidates[i].measurements)});
   sections.push_back(compare::range_section(notes));
+  const std::vector<league::Table> tables = league_of(laws);
+  std::vector<std::string> in_league;
+  for (const auto& compared : laws) in_league.push_back(compared.name());
+  sections.push_back({"league", "Against measurements", league::places_html(tables, in_league)});
   write_report(comparison, asked, sections, compare::evaluation_cost_html(laws, findings),
                compare::drag_json(laws, findings, bed), outcome, folder);
 
@@ -234,6 +263,7 @@ int compare_drag(const Work& work, const Options& options) {
   print_row("U_mf [m/s]", fluidisation);
   print_row(fmt::format("V_2 by force balance at {:.2f} m/s [m/s]", velocity), classification);
   print_row("one evaluation", nanoseconds);
+  print_places(tables, in_league);
   print_candidates(comparison.candidates);
   for (std::size_t i = 0; i < laws.size(); ++i) print_missing_properties(laws[i].name(), findings[i].properties);
   print_range_notes(notes);

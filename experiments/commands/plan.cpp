@@ -15,12 +15,15 @@
 #include "experiments/commands/above_zero.hpp"
 #include "experiments/commands/commands.hpp"
 #include "experiments/commands/works.hpp"
+#include "experiments/league/league_report.hpp"
+#include "experiments/league/scene_bed.hpp"
 #include "experiments/numerics/studies/trial.hpp"
 #include "experiments/runs/measure.hpp"
 #include "experiments/runs/run_campaign.hpp"
 #include "experiments/runs/run_estimate.hpp"
 #include "experiments/runs/run_files.hpp"
 #include "solver/laws/scene_remarks.hpp"
+#include "solver/laws/user_law.hpp"
 #include "solver/support/folders.hpp"
 
 namespace slfb {
@@ -161,6 +164,21 @@ std::optional<std::vector<Verification>> verify(const Scene& scene, const Plan& 
   return checks;
 }
 
+/// The laws of the league, with that of the scene where it is a file of the user.
+struct LeagueLaws {
+  std::vector<league::Contender> contenders = league::contenders();
+  std::string of_the_scene;
+};
+LeagueLaws league_laws(const Scene& scene) {
+  LeagueLaws laws{.of_the_scene = scene.coupling.drag_law};
+  if (is_user_law(scene.coupling.drag_law)) {
+    const drag::DragLawKernels law = find_drag_law(scene.coupling.drag_law);
+    laws.of_the_scene = law.info.name;
+    for (league::Contender& contender : league::contenders_of(law)) laws.contenders.push_back(std::move(contender));
+  }
+  return laws;
+}
+
 ordered_json json_of(const Scene& scene, const Plan& made) {
   ordered_json json{{"asked", made.asked},
                     {"numbers", ordered_json::object()},
@@ -182,7 +200,32 @@ ordered_json json_of(const Scene& scene, const Plan& made) {
          {"richer", d.richer},
          {"richer_core_seconds", d.richer.empty() ? ordered_json(nullptr) : ordered_json(d.richer_core_seconds)}});
   if (made.by_formula) json["answers"] = plan::answer_by_formula(scene, made);
+  const auto laws = league_laws(scene);
+  if (const auto found = league::recommend(scene, laws.contenders, laws.of_the_scene)) {
+    json["laws"] = {
+        {"formula", league::evidence_json({found->formula})[0]},
+        {"drag_law", league::evidence_json({found->drag_law})[0]},
+        {"of_the_scene", found->of_the_scene ? league::evidence_json({*found->of_the_scene})[0] : ordered_json()}};
+  }
   return json;
+}
+
+/// Which law measured beds like that of the scene speak for.
+void print_recommendation(const Scene& scene) {
+  const auto laws = league_laws(scene);
+  const auto found = league::recommend(scene, laws.contenders, laws.of_the_scene);
+  if (!found) return;
+  const auto words = [](const league::Evidence& one) {
+    return fmt::format("{}, typically within {:.0f} % of the velocity, at most {:.0f} %", one.law->name(),
+                       100.0 * one.statistic.root_mean_square, 100.0 * one.largest);
+  };
+  fmt::print("\nlaw for the bed         in the {} measured beds that are near ({}):\n", found->formula.beds.size(),
+             fmt::join(found->formula.beds, ", "));
+  fmt::print("    without a run       {}\n    to simulate         {}\n", words(found->formula), words(found->drag_law));
+  fmt::print("    the scene's         {}\n", found->of_the_scene
+                                                 ? words(*found->of_the_scene)
+                                                 : scene.coupling.drag_law + ": no answer for all of them");
+  fmt::print("    evidence            slfb league SCENE; prediction: slfb predict SCENE\n");
 }
 
 void print_plan(const Options& options, const Scene& scene, const Plan& made) {
@@ -258,6 +301,7 @@ int run(const Options& options) {
     return holds ? 0 : 1;
   }
   print_plan(options, scene, made);
+  print_recommendation(scene);
   if (checks) {
     fmt::print("\n{:<20}{:<36}{:<26}{:>12}{:>12}{:>18}{:>8}\n", "verified", "richer choice", "quantity", "planned",
                "richer", "deviation", "band");

@@ -3,11 +3,12 @@
 #include <CLI/CLI.hpp>
 
 #include "experiments/peng_2014/work.hpp"
+#include "experiments/richardson_zaki_1954/work.hpp"
 
 namespace slfb {
 
 const Works& works() {
-  static const Works list{&peng_2014_work()};
+  static const Works list{&peng_2014_work(), &richardson_zaki_1954_work()};
   return list;
 }
 

@@ -37,6 +37,7 @@ const std::vector<Figure>& figures() {
                             fig26_force_parity::figure(),
                             drag_law_question::figure(),
                             printed_voidage::figure(),
+                            measured_neighbours::figure(),
                             causes::figure(),
                             most_likely::figure(),
                             from_66_hours::figure(),

@@ -148,6 +148,11 @@ namespace planned_figures {
 Figure figure();
 }
 
+/// The paper's bed by measured beds that are alike, beside its printed voidages and each drag law's.
+namespace measured_neighbours {
+Figure figure();
+}
+
 /// All of them in the order of the paper, and behind them those of the numerics; adding one is one line in figures.cpp.
 const std::vector<Figure>& figures();
 

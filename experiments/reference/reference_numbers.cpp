@@ -1,8 +1,10 @@
 #include "experiments/reference/reference_numbers.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <charconv>
+#include <cmath>
 #include <sstream>
 #include <stdexcept>
 #include <utility>
@@ -60,6 +62,50 @@ const ReferenceValue& ReferenceNumbers::at(std::string_view id) const {
   const auto found = values_.find(id);
   if (found == values_.end()) throw std::out_of_range(fmt::format("{} has no value \"{}\"", work_, id));
   return found->second;
+}
+
+double Record::number(std::size_t column) const {
+  const std::string& cell = cells_[column];
+  double value = 0.0;
+  const auto [rest, error] = std::from_chars(cell.data(), cell.data() + cell.size(), value);
+  if (error != std::errc{} || rest != cell.data() + cell.size() || !std::isfinite(value))
+    throw problem(fmt::format("\"{}\" is not a number", cell));
+  return value;
+}
+
+double Record::positive(std::size_t column) const {
+  const double value = number(column);
+  if (!(value > 0.0)) throw problem(fmt::format("\"{}\" is not above zero", cells_[column]));
+  return value;
+}
+
+std::runtime_error Record::problem(const std::string& message) const {
+  return std::runtime_error(place_ + ": " + message);
+}
+
+std::vector<Record> read_records(const std::filesystem::path& file, const std::vector<std::string>& headings) {
+  std::istringstream in(read_file(file));
+  std::vector<Record> records;
+  std::vector<std::string> cells;
+  bool header = true;
+  std::size_t number = 0;
+  for (std::string line; std::getline(in, line);) {
+    ++number;
+    if (line.empty() || line.front() == '#') continue;
+    cells.clear();
+    std::istringstream parts(line);
+    for (std::string cell; std::getline(parts, cell, ',');) cells.push_back(cell);
+    if (line.back() == ',') cells.emplace_back();
+    const std::string place = fmt::format("{}:{}", file.string(), number);
+    if (std::exchange(header, false)) {
+      if (cells != headings) fail(place, fmt::format("the headings have to be {}", fmt::join(headings, ",")));
+      continue;
+    }
+    if (cells.size() != headings.size())
+      fail(place, fmt::format("{} columns instead of {}", cells.size(), headings.size()));
+    records.emplace_back(place, cells);
+  }
+  return records;
 }
 
 std::vector<std::vector<double>> read_columns(const std::filesystem::path& file, std::size_t columns) {

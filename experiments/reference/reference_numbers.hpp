@@ -3,8 +3,10 @@
 #include <filesystem>
 #include <functional>
 #include <map>
+#include <stdexcept>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 /// Numbers of the literature, read from reference-data/ (its README describes the format).
@@ -60,6 +62,26 @@ class ReferenceNumbers {
 /// Rows of numbers with `columns` columns; lines that start with # are comments and the first other line names the
 /// columns. Throws std::runtime_error naming file and line.
 std::vector<std::vector<double>> read_columns(const std::filesystem::path& file, std::size_t columns);
+
+/// One line of a table of numbers and words.
+class Record {
+ public:
+  Record(std::string place, std::vector<std::string> cells) : place_(std::move(place)), cells_(std::move(cells)) {}
+  [[nodiscard]] const std::string& text(std::size_t column) const { return cells_[column]; }
+  /// Each throws std::runtime_error with file and line where the cell is none.
+  [[nodiscard]] double number(std::size_t column) const;
+  [[nodiscard]] double positive(std::size_t column) const;
+  /// An error that names file and line.
+  [[nodiscard]] std::runtime_error problem(const std::string& message) const;
+
+ private:
+  std::string place_;  ///< "FILE:LINE"
+  std::vector<std::string> cells_;
+};
+
+/// The lines of a CSV file whose first line, comments aside, has these headings; the last cell of a line may be empty.
+/// A cell holds no comma. Throws std::runtime_error naming file and line.
+std::vector<Record> read_records(const std::filesystem::path& file, const std::vector<std::string>& headings);
 
 /// The folder reference-data/ of the source tree.
 std::filesystem::path reference_data_folder();

@@ -137,11 +137,22 @@ std::vector<std::string> planned_differences(const Work& work, const std::vector
 }  // namespace
 
 std::vector<std::string> profile_names(const Work& work) {
-  if (!std::filesystem::exists(work.folders.experiments / "profiles.toml")) return {};
-  return Definitions(work).names("profiles");
+  std::vector<std::string> names;
+  if (std::filesystem::exists(work.folders.experiments / "profiles.toml")) names = Definitions(work).names("profiles");
+  if (work.profiles)
+    for (const Profile& profile : work.profiles()) names.push_back(profile.name);
+  return names;
 }
 
 Profile load_profile(const Work& work, const std::string& name) {
+  if (work.profiles) {
+    std::vector<std::string> known = profile_names(work);
+    for (Profile& profile : work.profiles())
+      if (profile.name == name) return std::move(profile);
+    if (std::ranges::find(known, name) == known.end())
+      throw std::runtime_error(
+          fmt::format("{} has no profile \"{}\"; known: {}", work.id, name, fmt::join(known, ", ")));
+  }
   const Definitions definitions(work);
   TomlTable table = definitions.entry("profiles", name);
   Profile profile{name, {}, {}};

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <iterator>
 #include <stdexcept>
 
 #include "solver/support/folders.hpp"
@@ -36,10 +37,13 @@ bool needs_run(const Work& work, const MeasureKey& key) {
 }
 
 std::vector<Claim> load_claims(const Work& work) {
+  std::vector<Claim> claims;
   const auto file = work.folders.reference_data / "claims.toml";
-  if (!std::filesystem::exists(file)) return {};
   static const ReferenceNumbers none("a work without numbers");
-  return load_claims(file, work.reference == nullptr ? none : *work.reference, system_names(work));
+  if (std::filesystem::exists(file))
+    claims = load_claims(file, work.reference == nullptr ? none : *work.reference, system_names(work));
+  if (work.claims) std::ranges::move(work.claims(), std::back_inserter(claims));
+  return claims;
 }
 
 }  // namespace slfb

@@ -48,7 +48,11 @@ struct Work {
   std::string shown_beside = {};  ///< profile whose runs figures and claims use beside those of any other
   /// Profiles whose runs keep the contact stiffness of the scene where the others soften it.
   std::vector<std::string> with_scene_stiffness = {};
-  std::vector<std::string> read_by_figures = {};    ///< profiles whose runs single figures read by themselves
+  std::vector<std::string> read_by_figures = {};  ///< profiles whose runs single figures read by themselves
+  /// Profiles and claims that follow from a table of the work row by row, beside those of profiles.toml and
+  /// claims.toml.
+  std::function<std::vector<Profile>()> profiles = {};
+  std::function<std::vector<Claim>()> claims = {};
   std::optional<double> stated_liquid_step = {};    ///< liquid time step of the source [s]; empty: that of the scene
   std::function<Measurements()> without_runs = {};  ///< what laws and probes say
 
@@ -71,7 +75,8 @@ std::set<std::string> system_names(const Work& work);
 /// Whether a number is answered by simulations: its subject is a system of the work, or all of them.
 bool needs_run(const Work& work, const MeasureKey& key);
 
-/// The claims of folders.reference_data/claims.toml. Throws as the other load_claims; none where there is no such file.
+/// The claims of folders.reference_data/claims.toml and Work::claims. Throws as the other load_claims; where there is
+/// no such file, the others alone.
 std::vector<Claim> load_claims(const Work& work);
 
 }  // namespace slfb

@@ -1,0 +1,97 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "experiments/figures/figure_folder.hpp"
+#include "experiments/figures/figure_support.hpp"
+#include "experiments/league/contenders.hpp"
+#include "experiments/richardson_zaki_1954/beds.hpp"
+#include "experiments/richardson_zaki_1954/figures.hpp"
+#include "experiments/richardson_zaki_1954/numbers.hpp"
+
+namespace slfb::richardson_zaki::expansion {
+namespace {
+
+const FigureFolder folder{"richardson_zaki_1954/expansion"};
+
+std::vector<std::string> needs(const Profile& profile) {
+  return select_run_keys(
+      profile, [](const RunSpec& spec) { return spec.variant.empty() || spec.variant == "three-dimensional"; });
+}
+
+DataTable simulated(const FigureContext& context, const std::string& bed, const std::string& variant) {
+  DataTable table{fmt::format("expansion_{}_{}", bed, variant.empty() ? "slice" : variant),
+                  {"superficial velocity [m/s]", "voidage [-]", "half width of its 95 % interval [-]"},
+                  {}};
+  for (const MeasuredPoint& point : measured_points(context.measurements, "voidage_centre_of_mass", bed, variant))
+    table.rows.push_back({point.superficial_velocity, point.value, point.half_width});
+  return table;
+}
+
+FigureOutput draw(const FigureContext& context) {
+  const auto keys = needs(context.profile);
+  FigureOutput output{"expansion", {}, "", run_notes(context, keys)};
+  const auto all = league::contenders();
+  const league::Contender& law = league::find_contender(all, scene_law);
+  const league::Contender& formula = league::find_contender(all, authors_formula());
+  std::vector<std::string> names, lines, laws, slices, columns;
+  std::vector<double> low, high;
+  double squares = 0.0, worst = 0.0;
+  int points = 0;
+  for (const ExpansionLine& line : beds()) {
+    DataTable measured{"expansion_" + line.name, {"voidage [-]", "superficial velocity [m/s]"}, {}};
+    DataTable theory{"expansion_" + line.name + "_laws",
+                     {"voidage [-]", fmt::format("superficial velocity by {} [m/s]", law.name()),
+                      fmt::format("superficial velocity by {} [m/s]", formula.name())},
+                     {}};
+    const league::Bed bed = league::bed_of(line);
+    for (int step = 42; step <= 100; ++step) {
+      const double voidage = 0.01 * step;
+      measured.rows.push_back({voidage, line.velocity(voidage)});
+      theory.rows.push_back({voidage, law.velocity(bed, voidage), formula.velocity(bed, voidage)});
+    }
+    const DataTable slice = simulated(context, line.name, "");
+    const DataTable column = simulated(context, line.name, "three-dimensional");
+    for (const DataTable* table : {&slice, &column})
+      for (const auto& row : table->rows) {
+        const double error = row[1] - std::pow(row[0] / line.intercept, 1.0 / line.exponent);
+        squares += error * error;
+        worst = std::max(worst, std::abs(error));
+        ++points;
+      }
+    for (const DataTable* table : {&measured, &theory}) output.data.push_back(write_csv(*table, context.out));
+    for (const DataTable* table : {&slice, &column})
+      if (!table->rows.empty()) output.data.push_back(write_csv(*table, context.out));
+    names.push_back(line.name);
+    lines.push_back(measured.name);
+    laws.push_back(theory.name);
+    slices.push_back(slice.rows.empty() ? "" : slice.name);
+    columns.push_back(column.rows.empty() ? "" : column.name);
+    low.push_back(0.7 * line.velocity(0.5));
+    high.push_back(1.2 * line.intercept);
+  }
+  output.caption = folder.caption(
+      {{"agreement", points == 0 ? ""
+                                 : fmt::format("Of {} simulated voidages the error is {:.3f} (root mean square) and at "
+                                               "most {:.3f}; two columns of the measurements differ by {:.3f}.",
+                                               points, std::sqrt(squares / points), worst, 2.0 * voidage_band())}});
+  PlotValues values;
+  values.texts("name", names);
+  values.files("measured", lines);
+  values.files("laws", laws);
+  values.files("simulated_1", slices);
+  values.files("simulated_3", columns);
+  values.numbers("low", low);
+  values.numbers("high", high);
+  values.text("law_title", law.name());
+  values.text("formula_title", formula.name());
+  draw_plot_of_runs("expansion", folder.plot(), values, {1100, 820}, context, keys);
+  return output;
+}
+
+}  // namespace
+
+Figure figure() { return {"expansion", folder.title(), needs, draw, folder.path().string()}; }
+
+}  // namespace slfb::richardson_zaki::expansion

@@ -1,0 +1,72 @@
+#include "experiments/richardson_zaki_1954/simulations.hpp"
+
+#include <array>
+#include <string>
+
+#include "experiments/league/standings.hpp"
+#include "experiments/richardson_zaki_1954/beds.hpp"
+#include "solver/support/folders.hpp"
+
+namespace slfb::richardson_zaki {
+namespace {
+
+/// Variants that stand for the model of the run rather than for a law.
+constexpr const char* in_three_dimensions = "three-dimensional";
+constexpr const char* in_narrower_box = "narrower-box";
+
+/// Beside the law of the scenes: the next ones of `slfb league` without the wall's part, and the most used one.
+constexpr std::array<const char*, 4> near_laws{"syamlal-obrien-1993", "di-felice-1994", "wen-yu-1966", "gidaspow-1994"};
+
+RunSpec run_of(const ExpansionLine& line, double voidage, Model model, const std::string& variant,
+               const Profile& profile) {
+  return {line.name,
+          run_velocity(line, voidage),
+          variant,
+          scene_of(line, model),
+          overrides_of(line, model),
+          profile.name,
+          profile.differences,
+          source_folder() / "reports" / "published" / "richardson_zaki_1954" / "runs"};
+}
+
+void add(Profile& profile, RunSpec run, const Overrides& more = {}) {
+  run.overrides.insert(run.overrides.end(), more.begin(), more.end());
+  run.overrides.push_back("liquid.superficial_velocity=" + velocity_text(run.superficial_velocity) + " m/s");
+  profile.runs.push_back(std::move(run));
+}
+
+std::vector<std::string> differences(const std::string& how) {
+  return {how, "Contacts softened: two spheres that meet at the terminal velocity overlap by 3 % of the diameter.",
+          "Beds of 10 or 20 diameters at rest, not of unknown mass."};
+}
+
+}  // namespace
+
+std::vector<Profile> profiles() {
+  Profile quick{
+      "quick",
+      differences("Slices of six diameters without walls, in a one-dimensional liquid; in three dimensions at "
+                  "the velocity of voidage 0.7."),
+      {}};
+  Profile laws{"laws", differences("Slices of six diameters without walls, in a one-dimensional liquid."), {}};
+  Profile full{
+      "full", differences("Columns in three dimensions; periodic boxes for those of more than 20 diameters."), {}};
+  for (const ExpansionLine& line : beds()) {
+    for (const double voidage : league::line_voidages) {
+      add(quick, run_of(line, voidage, Model::slice, "", quick));
+      for (const char* law : near_laws)
+        add(laws, run_of(line, voidage, Model::slice, law, laws), {std::string("coupling.drag_law=") + law});
+      add(full, run_of(line, voidage, Model::column, in_three_dimensions, full));
+    }
+    add(quick, run_of(line, 0.7, Model::column, in_three_dimensions, quick));
+    // What a narrower box costs: the same bed without walls, six diameters wide.
+    if (!has_walls(line)) {
+      const std::string width = std::to_string(6.0 * line.sphere.diameter) + " m";
+      add(full, run_of(line, 0.7, Model::column, in_narrower_box, full),
+          {"geometry.width=[\"" + width + "\", \"" + width + "\"]", "fluid.cells_across=5", "species[0].count=413"});
+    }
+  }
+  return {quick, laws, full};
+}
+
+}  // namespace slfb::richardson_zaki
