@@ -15,14 +15,14 @@ namespace {
 constexpr double furthest = 10.0;  ///< ratio at the edge of the plot
 
 /// Where a verdict stands in the tables of the plot.
-constexpr std::array verdicts{Verdict::reproduced, Verdict::not_reproduced, Verdict::not_decidable};
+constexpr std::array plotted_verdicts{Verdict::reproduced, Verdict::not_reproduced, Verdict::not_decidable};
 
 }  // namespace
 
 bool draw_parity(const std::vector<ClaimRow>& claims, const std::filesystem::path& folder) {
-  std::array<DataTable, verdicts.size()> tables;
-  for (std::size_t v = 0; v < verdicts.size(); ++v)
-    tables[v] = {"parity_" + verdict_class(verdicts[v]),
+  std::array<DataTable, plotted_verdicts.size()> tables;
+  for (std::size_t v = 0; v < plotted_verdicts.size(); ++v)
+    tables[v] = {"parity_" + verdict_class(plotted_verdicts[v]),
                  {"row of the place [-]", "ours over the paper's [-]", "lower end of its 95 % interval [-]",
                   "upper end of its 95 % interval [-]", "outside the plot: -1 left, 1 right [-]"},
                  {}};
@@ -49,7 +49,8 @@ bool draw_parity(const std::vector<ClaimRow>& claims, const std::filesystem::pat
         if (lower > upper) std::swap(lower, upper);
       }
       const auto inside = [](double value) { return std::clamp(value, 1.0 / furthest, furthest); };
-      const auto v = static_cast<std::size_t>(std::ranges::find(verdicts, claim->verdict) - verdicts.begin());
+      const auto v =
+          static_cast<std::size_t>(std::ranges::find(plotted_verdicts, claim->verdict) - plotted_verdicts.begin());
       tables[v].rows.push_back({row, inside(ratio), inside(lower), inside(upper),
                                 ratio > furthest         ? 1.0
                                 : ratio < 1.0 / furthest ? -1.0
@@ -60,11 +61,11 @@ bool draw_parity(const std::vector<ClaimRow>& claims, const std::filesystem::pat
   if (places.empty()) return false;
   PlotValues values;
   std::vector<std::string> names, titles;
-  for (std::size_t v = 0; v < verdicts.size(); ++v) {
+  for (std::size_t v = 0; v < plotted_verdicts.size(); ++v) {
     if (tables[v].rows.empty()) continue;
     write_csv(tables[v], folder);
     names.push_back(tables[v].name);
-    titles.push_back(verdict_words(verdicts[v]));
+    titles.push_back(verdict_words(plotted_verdicts[v]));
   }
   values.files("verdict", names);
   values.texts("verdict_title", titles);

@@ -149,12 +149,18 @@ std::vector<FigureOutput> draw(const std::vector<const Figure*>& chosen, const J
   return outputs;
 }
 
+struct Drawn {
+  Judgement judgement;
+  bool complete = true;  ///< false if a figure could not be drawn
+};
+
 /// Judges the claims, draws the figures and, where all of them are asked for, writes the report.
-Judgement judge_and_draw(const Work& work, const Profile& profile, const std::vector<const Figure*>& chosen,
-                         const Options& options, const std::string& heading) {
+Drawn judge_and_draw(const Work& work, const Profile& profile, const std::vector<const Figure*>& chosen,
+                     const Options& options, const std::string& heading) {
   Judgement judgement = judge(work, profile, load_claims(work), options.out);
   const auto outputs = draw(chosen, judgement, options.out, heading);
-  if (!options.ids.empty()) return judgement;
+  const bool complete = outputs.size() == chosen.size();
+  if (!options.ids.empty()) return {std::move(judgement), complete};
   auto reported = judgement.runs;
   reported.insert(reported.end(), judgement.left_out.begin(), judgement.left_out.end());
   for (const std::string& own : work.read_by_figures)
@@ -162,7 +168,7 @@ Judgement judge_and_draw(const Work& work, const Profile& profile, const std::ve
       for (auto& run : finished_runs(load_profile(work, own), options.out)) reported.push_back(std::move(run));
   reports::write_report(report_contents({work, judgement, reported, outputs, options.out}), options.out / "figures",
                         options.out / "report");
-  return judgement;
+  return {std::move(judgement), complete};
 }
 
 /// Shows a page where there is a desktop; its own messages are not of interest.
@@ -221,14 +227,14 @@ int make_figures(const Work& work, const Options& options) {
 
   const auto page = options.out / "report" / "index.html";
   Steps steps((all || missing.empty() ? 1 : 0) + (missing.empty() ? 0 : 1) + (with_studies ? 1 : 0));
-  Judgement judgement;
+  Drawn drawn;
   if (all || missing.empty()) {
     steps.begin("drawing", "the report from the results that exist");
-    judgement = judge_and_draw(work, profile, chosen, options, steps.heading());
+    drawn = judge_and_draw(work, profile, chosen, options, steps.heading());
     if (all && (!missing.empty() || with_studies)) fmt::print(stderr, "report: {}\n", page.string());
     if (all && options.open) open_page(page);
   }
-  const std::vector<Evaluation> before = judgement.evaluations;
+  const std::vector<Evaluation> before = drawn.judgement.evaluations;
 
   CampaignOutcome outcome;
   if (!missing.empty()) {
@@ -237,7 +243,7 @@ int make_figures(const Work& work, const Options& options) {
     if (options.publish) campaign.finished = [&](std::size_t k) { publish(work, profile, missing[k], options.out); };
     outcome = run_campaign(missing, campaign);
     if (outcome.interrupted > 0) return outcome.exit_status();  // interrupted: skip drawing
-    judgement = judge_and_draw(work, profile, chosen, options, steps.heading() + ", drawing");
+    drawn = judge_and_draw(work, profile, chosen, options, steps.heading() + ", drawing");
   }
   if (with_studies) {
     steps.begin("charts of methods", fmt::format("charts of methods, set {}", options.studies));
@@ -246,7 +252,7 @@ int make_figures(const Work& work, const Options& options) {
       fmt::print(stderr, "Interrupted: the same command goes on where this one stopped.\n");
       return 130;
     }
-    judgement = judge_and_draw(work, profile, chosen, options, steps.heading() + ", drawing");
+    drawn = judge_and_draw(work, profile, chosen, options, steps.heading() + ", drawing");
   }
 
   if (!all)
@@ -254,14 +260,14 @@ int make_figures(const Work& work, const Options& options) {
       fmt::print("{}  {:<62}{}\n", figure->id, figure->title,
                  (options.out / "figures" / (figure->id + ".svg")).string());
   if (all) {
-    fmt::print("{}\n", counts_text(judgement.evaluations));
-    if (!missing.empty() || with_studies) fmt::print("{}", changed_verdicts(before, judgement.evaluations));
+    fmt::print("{}\n", counts_text(drawn.judgement.evaluations));
+    if (!missing.empty() || with_studies) fmt::print("{}", changed_verdicts(before, drawn.judgement.evaluations));
     fmt::print("report: {}\n", page.string());
   }
   if (outcome.unfinished() > 0)
     fmt::print(stderr, "{} simulation{} did not finish; the figures show what exists. The same command goes on.\n",
                outcome.unfinished(), outcome.unfinished() == 1 ? "" : "s");
-  return outcome.exit_status() == 0 && !not_drawn.empty() ? 1 : outcome.exit_status();
+  return outcome.exit_status() == 0 && !drawn.complete ? 1 : outcome.exit_status();
 }
 
 }  // namespace

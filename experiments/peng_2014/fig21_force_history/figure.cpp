@@ -113,7 +113,7 @@ FigureOutput draw(const FigureContext& context) {
   values.number("end", std::isfinite(common_end) ? common_end : 1.0);
   values.number("top_of_axis", 10.0 * std::ceil(1.05 * highest_drawn / 10.0));
   values.files("force", forces);
-  draw_plot_of_runs("fig21", folder.plot(), values, {700, 660}, context, keys, own_springs);
+  draw_plot_of_runs("fig21", folder.plot(), values, {700, 660}, context, keys);
   return output;
 }
 

@@ -80,6 +80,7 @@ FigureOutput draw(const FigureContext& outer) {
                       {},
                       folder.caption({{"summary", summary(study)}}),
                       run_notes(context, keys),
+                      {},
                       readings::study_text(study)};
   // Numbers of which something is known, as columns.
   std::vector<std::size_t> numbers;
