@@ -306,7 +306,7 @@ std::string print_page(const ReportContents& contents, bool has_parity, const fs
       {{std::regex("href=\"[^\":#]*\\.html#([^\"]+)\""), "href=\"#$1\""},
        {std::regex("<a href=\"(?:\\.\\./)?laws/variants\\.html\">"), "<a>"},
        {std::regex("href=\"(?:\\.\\./)?laws/([^\":#]+)\\.html\""), "href=\"#law-$1\""},
-       {std::regex("href=\"(?:\\.\\./)?(?:figures/)?(?!index|print)([a-z0-9-]+)\\.html\""), "href=\"#$1\""},
+       {std::regex("href=\"(?:\\.\\./)?(?:figures/)?(?!index\\.|print\\.)([a-z0-9-]+)\\.html\""), "href=\"#$1\""},
        {std::regex("href=\"\\.\\./"), "href=\""}}};
   for (const auto& [from, to] : links) html = std::regex_replace(html, from, to);
   return whole_page("slfb report", html);
