@@ -33,7 +33,7 @@ Errors errors_of(const FigureContext& context, const ExpansionLine& line, const 
 }
 
 FigureOutput draw(const FigureContext& context) {
-  FigureOutput output{"deviation", {}, "", run_notes(context, {})};
+  FigureOutput output{"deviation", {}, "", {}};
   const std::vector<std::string> laws{authors_formula(), scene_law, "wen-yu-1966 + wall", "gidaspow-1994"};
   std::vector<Series> series;
   for (std::size_t i = 0; i < laws.size(); ++i) {
@@ -63,7 +63,7 @@ FigureOutput draw(const FigureContext& context) {
   PlotValues values;
   add_series("series", series, values, context, output);
   values.number("band", 2.0 * voidage_band());
-  draw_plot_of_runs("deviation", folder.plot(), values, {620, 460}, context, {});
+  draw_plot("deviation", folder.plot(), values, {620, 460}, context.out);
   return output;
 }
 
