@@ -31,12 +31,15 @@ std::optional<Reading> reading_of(const Choices& choices, const std::string& var
   }
 }
 
-bool is_of_drops(const MeasuringRules& rules, const Evidence& evidence) {
-  if (evidence.of_drop) return true;
-  const std::string& id = evidence.printed.quantity;
-  const Quantity* quantity = find_quantity(rules, id);
-  if (quantity == nullptr) throw std::invalid_argument("readings: there is no quantity \"" + id + "\"");
-  return !std::holds_alternative<OfBed>(quantity->computed) && !std::holds_alternative<OfRun>(quantity->computed);
+const Quantity& quantity_of(const MeasuringRules& rules, const Evidence& evidence) {
+  const Quantity* quantity = find_quantity(rules, evidence.printed.quantity);
+  if (quantity == nullptr)
+    throw std::invalid_argument("readings: there is no quantity \"" + evidence.printed.quantity + "\"");
+  return *quantity;
+}
+
+bool is_of_drops(const Quantity& quantity) {
+  return !std::holds_alternative<OfBed>(quantity.computed) && !std::holds_alternative<OfRun>(quantity.computed);
 }
 
 /// Its runs that answer a piece of evidence: of the last profile that has any, by seed.
@@ -75,16 +78,15 @@ OfSeed beds(const std::string& quantity, const std::vector<const Measured*>& run
   return values;
 }
 
-std::vector<double> drops(const Evidence& evidence, const std::vector<const Measured*>& runs) {
-  const auto number_of = [&](const std::map<std::string, double>& drop) -> std::optional<double> {
-    if (evidence.of_drop) return evidence.of_drop(drop);
-    const auto value = drop.find(evidence.printed.quantity);
-    return value == drop.end() ? std::nullopt : std::optional(value->second);
-  };
+std::vector<double> drops(const Quantity& quantity, const std::vector<const Measured*>& runs,
+                          const MeasuringRules& rules) {
   std::vector<double> samples;
   for (const Measured* one : runs)
     for (const auto& drop : one->summary.drops) {
-      const auto value = number_of(drop);
+      const RunSpec& spec = one->run->spec;
+      const DropNumbers numbers{drop, one->summary.bed, one->run->scene, rules, spec.system, spec.superficial_velocity};
+      const auto* computed = std::get_if<OfDropNumbers>(&quantity.computed);
+      const auto value = computed == nullptr ? numbers.of_drop(quantity.id) : (*computed)(numbers);
       samples.push_back(value && *value > 0.0 ? std::log(*value) : std::numeric_limits<double>::quiet_NaN());
     }
   return samples;
@@ -98,8 +100,9 @@ ReadingRuns runs_of(const Reading& reading, const std::vector<Evidence>& evidenc
   std::map<std::string, std::vector<std::size_t>> drop_blocks;
   for (std::size_t i = 0; i < evidence.size(); ++i) {
     const auto found = answering(evidence[i], runs, rules);
-    if (is_of_drops(rules, evidence[i])) {
-      result.samples[i] = drops(evidence[i], found);
+    const Quantity& quantity = quantity_of(rules, evidence[i]);
+    if (is_of_drops(quantity)) {
+      result.samples[i] = drops(quantity, found, rules);
       drop_blocks[evidence[i].printed.block].push_back(i);
     } else if (OfSeed values = beds(evidence[i].printed.quantity, found); !values.empty()) {
       blocks[evidence[i].printed.block][i] = std::move(values);

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <functional>
-#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -21,8 +19,6 @@ struct Evidence {
   /// Why it may be no result of what is asked for: it is compared, and counts in no ranking but one of its own. Empty:
   /// it counts.
   std::string disputed = {};
-  /// Computes the number from those that a drop has, by the id of their quantity; none: it is itself one of them.
-  std::function<std::optional<double>(const std::map<std::string, double>& drop)> of_drop = {};
 };
 
 /// A reading that was run, by the name of its variant.

@@ -17,6 +17,7 @@ constexpr double inside_95_percent = 1.96;
 /// Readings that lie no more than this below the best are told as nearly as good: one in ten by the odds.
 constexpr double nearly_as_good = 1.0;
 constexpr std::size_t told_readings = 10;
+constexpr double below_all = -std::numeric_limits<double>::infinity();
 
 std::size_t factor_named(const Choices& choices, const std::string& name) {
   const auto found = std::ranges::find(choices.factors, name, &Factor::name);
@@ -61,7 +62,7 @@ void rank(std::vector<StudiedReading>& readings) {
     if (one.without_penalty) *one.without_penalty -= best_without;
   }
   std::ranges::stable_sort(readings, std::greater{}, [](const StudiedReading& one) {
-    return one.log10_evidence.value_or(-std::numeric_limits<double>::infinity());
+    return std::pair{one.log10_evidence.value_or(below_all), one.assessment.calibration.value_or(below_all)};
   });
 }
 

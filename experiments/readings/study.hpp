@@ -29,7 +29,7 @@ struct Study {
   Widths widths;
   std::vector<bool> reached;  ///< by number, see reached_by_any
   std::vector<bool> counted;  ///< by number: reached, not disputed, and run for at least half of the readings
-  std::vector<StudiedReading> readings;  ///< the best evidence first, those without behind
+  std::vector<StudiedReading> readings;  ///< the best evidence first; behind them those without, by their calibration
   /// By all counted numbers, with and without the penalty, and by the calibration numbers alone. Empty where fewer than
   /// three readings have a number.
   std::optional<Posterior> penalised, unpenalised, calibrated;

@@ -30,7 +30,7 @@ PrintedNumber number(const std::string& quantity, double velocity, double value,
 
 Evidence evidence(const std::string& quantity, double velocity, double value, Part part = Part::test,
                   const std::string& block = "drops") {
-  return {number(quantity, velocity, value, part, block), "sand", velocity, "", {}};
+  return {number(quantity, velocity, value, part, block), "sand", velocity, ""};
 }
 
 const std::filesystem::path scene_file = source_folder() / "experiments/scenes/fluidised_box.toml";
@@ -83,15 +83,17 @@ TEST(Collect, DropsThatDoNotArriveKeepTheirPlace) {
 
 TEST(Collect, ANumberMayFollowFromThoseOfItsDrop) {
   std::vector<FinishedRun> runs{run("base", 0.06, 1)};
-  runs[0].summary->drops = {drop(0.1), drop(std::nan(""))};
-  Evidence doubled = evidence("twice V_2", 0.06, 0.2);
-  doubled.of_drop = [](const std::map<std::string, double>& numbers) -> std::optional<double> {
-    const auto found = numbers.find("classification_velocity");
-    return found == numbers.end() ? std::nullopt : std::optional(2.0 * found->second);
-  };
-  const auto samples = collect(choices(), {doubled}, runs, general_rules())[0].runs.samples[0];
+  runs[0].summary->drops = {{{"terminal_velocity", 0.5}}, {}};
+  MeasuringRules rules;
+  rules.quantities.push_back({"half_terminal_velocity", "m/s", "half", "Half the terminal velocity.",
+                              OfDropNumbers([](const DropNumbers& numbers) -> std::optional<double> {
+                                const auto whole = numbers.of_drop("terminal_velocity");
+                                return whole ? std::optional(0.5 * *whole) : std::nullopt;
+                              })});
+  const auto samples =
+      collect(choices(), {evidence("half_terminal_velocity", 0.06, 0.2)}, runs, rules)[0].runs.samples[0];
   ASSERT_EQ(samples.size(), 2U);
-  EXPECT_NEAR(std::exp(samples[0]), 0.2, 1e-12);
+  EXPECT_NEAR(std::exp(samples[0]), 0.25, 1e-12);
   EXPECT_TRUE(std::isnan(samples[1]));
 }
 

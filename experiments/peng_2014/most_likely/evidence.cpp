@@ -3,8 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
-#include <map>
 #include <optional>
 #include <string>
 #include <utility>
@@ -31,8 +29,7 @@ Evidence of_table(const std::string& id, const std::string& title, const std::st
            printed.uncertainty, part},
           system_name,
           velocity,
-          "",
-          {}};
+          ""};
 }
 
 /// A force or a frequency that the text gives for one state of the bed.
@@ -43,8 +40,7 @@ Evidence of_text(const std::string& id, const std::string& title, const std::str
            printed.uncertainty, Part::test},
           system_name,
           velocity,
-          "",
-          {}};
+          ""};
 }
 
 /// Printed twice: as a solid fraction, and as a height that leaves half of its last digit open.
@@ -58,34 +54,16 @@ Evidence voidage_of_the_packed_bed() {
            0.5 * (highest - lowest), Part::calibration},
           system_name,
           std::nullopt,
-          "",
-          {}};
-}
-
-/// From the release to the middle of the window, as the printed line has it and as the line of a drop has it.
-double time_on_line(double intercept, double velocity) {
-  constexpr double middle_of_window = 0.15;  // m; section 5.2
-  return (intercept - middle_of_window) / velocity - peng_2014().value("drop_time_water");
+          ""};
 }
 
 Evidence time_to_the_window(const Table2Row& row) {
-  const double velocity = row.classification_velocity, time = time_on_line(row.intercept, velocity);
-  // Half the last digit of the slope and of the intercept.
-  constexpr double half_digit = 0.0005;
-  const double half_width =
-      std::hypot(half_digit / velocity, half_digit * (time + peng_2014().value("drop_time_water")) / velocity);
-  const auto of_drop = [](const std::map<std::string, double>& drop) -> std::optional<double> {
-    const auto line = drop.find("classification_intercept"), slope = drop.find("classification_velocity");
-    if (line == drop.end() || slope == drop.end()) return std::nullopt;
-    return time_on_line(line->second, slope->second);
-  };
-  const bool copied = std::ranges::count(peng_2014().table2(), row.intercept, &Table2Row::intercept) > 1;
-  return {{fmt::format("time to the window at {} m/s", velocity_text(row.superficial_velocity)), "time to the window",
-           drops_at(row.superficial_velocity), time, half_width, Part::test},
-          system_name,
-          row.superficial_velocity,
-          copied ? "two rows of Table 2 have one intercept, so that one of them is a copy" : "",
-          of_drop};
+  const double velocity = row.superficial_velocity;
+  Evidence time = of_table("table2/time_to_window", "time to the window", "time_to_window", drops_at(velocity),
+                           velocity, Part::test);
+  if (std::ranges::count(peng_2014().table2(), row.intercept, &Table2Row::intercept) > 1)
+    time.disputed = "two rows of Table 2 have one intercept, so that one of them is a copy";
+  return time;
 }
 
 }  // namespace
@@ -108,13 +86,11 @@ std::vector<Evidence> evidence() {
                      drops_at(velocity), force, printed.value("equation_40_most") * force, Part::test},
                     system_name,
                     velocity,
-                    "",
-                    {}});
+                    ""});
   }
   // The text gives these for voidages of 0.46 and 0.58, which the captions of Fig. 13 have at 0.06 and 0.11 m/s.
   list.push_back(of_text("drag_ratio_dense", "drag/mg", "drag_ratio", drops_at(0.06), 0.06));
-  list.push_back(
-      of_text("pressure_ratio_dense", "pressure-gradient force/mg", "pressure_gradient_ratio", drops_at(0.06), 0.06));
+  list.push_back(of_text("pressure_ratio_dense", "pressure force/mg", "pressure_gradient_ratio", drops_at(0.06), 0.06));
   list.push_back(of_text("collision_frequency_dense", "f_coll", "collision_frequency", "collisions at 0.06 m/s", 0.06));
   list.push_back(
       of_text("collision_frequency_dilute", "f_coll", "collision_frequency", "collisions at 0.11 m/s", 0.11));

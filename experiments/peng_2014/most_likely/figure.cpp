@@ -142,7 +142,7 @@ FigureOutput draw(const FigureContext& outer) {
   values.files("packed_curve", packed_tables);
   values.files("velocity_curve", velocity_tables);
   values.texts("curve_title", curve_titles);
-  draw_plot_of_runs("most-likely", folder.plot(), values, {1400, 760}, context, keys);
+  draw_plot_of_runs("most-likely", folder.plot(), values, {1600, 820}, context, keys);
   return output;
 }
 

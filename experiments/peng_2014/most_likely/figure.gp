@@ -5,12 +5,16 @@ lowest = -12
 inside(x) = x < lowest ? lowest : x
 # What a reading was not run for stands outside the axes.
 known(k) = valid(k) ? inside(column(k)) : 9
+# Squares side by side touch.
+size = number_count > 28 ? 1.4*28/number_count : 1.4
+tic_font = number_count > 28 ? ',7' : ',9'
+aside = -99  # outside every axis
 array curve_colour[3] = [ours, variant, second_variant]
 array curve_point[3] = [7, 5, 9]
 
 set multiplot
 set tmargin at screen 1 - 40.0/height
-set bmargin at screen base + 170.0/height
+set bmargin at screen base + 190.0/height
 
 # Evidence.
 set lmargin at screen 0.27
@@ -33,27 +37,27 @@ eval footer_drawn
 # Implausibility.
 unset key
 set lmargin at screen 0.415
-set rmargin at screen 0.72
+set rmargin at screen 0.76
 set title 'implausibility' font ',13'
 set ytics ('' 0)
 do for [k=1:reading_count] { set ytics add ('' k - 1) }
 set xrange [-0.7:number_count - 0.3]
-set xtics ('' 0) rotate by 60 right font ',9'
+set xtics ('' 0) rotate by 70 right font tic_font
 do for [k=1:number_count] { set xtics add (number[k] k - 1) }
 set cbrange [0:6]
-set colorbox user origin screen 0.728, screen (base + 0.35) size screen 0.008, screen 0.3
+set colorbox user origin screen 0.768, screen (base + 0.4) size screen 0.006, screen 0.3
 set cbtics 3 font ',10'
 plot 'most_likely_implausibility.csv' skip 1 using 2:1:(valid(3) ? ($3 > 6 ? 6 : $3) : NaN) \
-    with points palette pointtype 5 pointsize 1.3 notitle, \
-  '' skip 1 using ($4 > 0 ? NaN : $2):1 with points linecolor rgb '#ffffff' pointtype 1 pointsize 0.6 notitle, \
-  '' skip 1 using (!valid(3) && $5 > 0 ? $2 : NaN):1 with points linecolor rgb quiet pointtype 2 pointsize 0.7 notitle
+    with points palette pointtype 5 pointsize size notitle, \
+  '' skip 1 using ($4 > 0 ? aside : $2):1 with points linecolor rgb '#ffffff' pointtype 1 pointsize 0.6 notitle, \
+  '' skip 1 using (!valid(3) && $5 > 0 ? $2 : aside):1 with points linecolor rgb quiet pointtype 2 pointsize 0.7 notitle
 unset colorbox
 
 # The line of the packed bed.
-set lmargin at screen 0.815
-set rmargin at screen 0.985
+set lmargin at screen 0.845
+set rmargin at screen 0.99
 set tmargin at screen 1 - 60.0/height
-set bmargin at screen base + 0.5*(1 - base) + 40.0/height
+set bmargin at screen base + 0.5*(1 - base) + 60.0/height
 set title 'packed bed' font ',13'
 set xtics norotate autofreq font ',11'
 set ytics autofreq font ',11'
@@ -68,15 +72,15 @@ plot 'most_likely_paper_line.csv' skip 1 using 1:2 with lines linestyle 1 notitl
     with yerrorbars linecolor rgb curve_colour[k] pointtype curve_point[k] pointsize 0.8 notitle
 
 # V_2.
-set tmargin at screen base + 0.5*(1 - base) - 40.0/height
-set bmargin at screen base + 120.0/height
-set title 'V_2' font ',13'
+set tmargin at screen base + 0.5*(1 - base) - 30.0/height
+set bmargin at screen base + 130.0/height
+set title 'settling' font ',13'
 set xrange [0.04:0.26]
 set xtics 0.05
 set yrange [0:0.5]
 set ytics 0.1
 set ylabel 'V_2 [m/s]' font ',11' offset 1.5
-set key at screen 0.76, screen (base + 60.0/height) left top Left reverse font ',9' maxrows 4
+set key at screen 0.79, screen (base + 78.0/height) left top Left reverse font ',9' samplen 1 spacing 0.9
 plot 'most_likely_paper_velocity.csv' skip 1 using 1:2 with points linecolor rgb paper pointtype 6 pointsize 0.8 \
     title 'paper', \
   for [k=1:velocity_curve_count] (velocity_curve[k] eq '' ? '$empty_list' : velocity_curve[k]) skip 1 \
