@@ -25,17 +25,30 @@ static_assert(sizeof(hid_t) <= sizeof(std::int64_t));
 constexpr std::size_t compression_threshold = 512;
 constexpr hsize_t largest_chunk = 1U << 17U;
 
-/// Held during each call of HDF5, which need not be built for threads; errors are collected instead of printed.
+/// Held during each call of HDF5, which need not be built for threads; errors are collected instead of printed. A
+/// thread may hold several. Not a std::recursive_mutex: that one knows its thread by a number which is another one in a
+/// copy of the process (read_with_care), where it would wait for itself.
 class LibraryLock {
  public:
-  LibraryLock() : lock_(mutex()) { H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr); }
+  LibraryLock() {
+    if (depth()++ == 0) mutex().lock();
+    H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
+  }
+  LibraryLock(const LibraryLock&) = delete;
+  LibraryLock& operator=(const LibraryLock&) = delete;
+  ~LibraryLock() {
+    if (--depth() == 0) mutex().unlock();
+  }
 
  private:
-  static std::recursive_mutex& mutex() {
-    static std::recursive_mutex instance;
+  static std::mutex& mutex() {
+    static std::mutex instance;
     return instance;
   }
-  std::lock_guard<std::recursive_mutex> lock_;
+  static int& depth() {
+    thread_local int held = 0;
+    return held;
+  }
 };
 
 /// Owns one HDF5 identifier.

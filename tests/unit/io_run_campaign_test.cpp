@@ -139,6 +139,7 @@ TEST_F(RunCampaignTest, WhatCannotBePublishedIsAFailureAndTheResultStays) {
 
 TEST(StopSignalsTest, TheFirstSignalRaisesTheFlagOnly) {
   const StopSignals signals;
+  const WorkToSave state;
   EXPECT_FALSE(signals.requested());
   std::raise(SIGTERM);
   EXPECT_TRUE(signals.requested());
