@@ -18,7 +18,10 @@ struct Wall {
 
   /// True if a sphere of radius r at `point` does not touch the wall; without the root that gap() needs.
   [[nodiscard]] bool clear_of(Vec3 point, double r) const {
-    if (kind == Kind::cylinder) return point.x * point.x + point.y * point.y <= (position - r) * (position - r);
+    if (kind == Kind::cylinder) {
+      const double room = position - r;  // negative: there is no place where such a sphere does not touch
+      return room >= 0.0 && point.x * point.x + point.y * point.y <= room * room;
+    }
     const double coordinate = axis == 0 ? point.x : axis == 1 ? point.y : point.z;
     return direction * (coordinate - position) >= r;
   }

@@ -1,6 +1,7 @@
 // Walls with properties of their own: bounce, sliding, rolling and rest go by them, contacts of spheres do not.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 #include <vector>
@@ -128,6 +129,30 @@ TEST(WallContact, AStiffMaterialIsARigidWall) {
   rigid.rigid_walls = true;
   EXPECT_NEAR(deepest(stiff), deepest(rigid), 1e-9 * radius);
   EXPECT_LT(deepest(rigid), 0.9 * deepest(contact_of("hertz")));
+}
+
+// A tube hardly wider than the sphere: between its walls an elastic sphere without friction keeps its energy, and
+// presses itself in by v √(m/k) at most. Slow motion makes the neighbour list's skin wider than the tube.
+TEST(WallContact, ANarrowTubeHoldsItsSphere) {
+  for (const double ratio : {1.05, 1.1, 1.5, 2.5}) {
+    Contact contact;
+    contact.stiffness = 1e4;
+    contact.restitution = 1.0;
+    contact.sliding_friction = 0.0;
+    contact.time_step = 2e-6;
+    const double speed = 0.2;
+    Engine engine = engine_with(contact, {{Wall::Kind::cylinder, 0, 1.0, ratio * radius}},
+                                {{{0.01 * radius, 0, 0.1}, {0.6 * speed, 0.8 * speed, 0}, {}, radius, density}});
+    double deepest = 0.0;
+    for (int k = 0; k < 20000; ++k) {
+      engine.step();
+      const auto& x = engine.particles.position;
+      deepest = std::max(deepest, std::hypot(x.x[0], x.y[0]) - (ratio - 1.0) * radius);
+    }
+    const double most = speed * std::sqrt(mass / contact.stiffness);
+    EXPECT_LT(deepest, 1.01 * most) << ratio;
+    EXPECT_GT(deepest, 0.5 * most) << ratio;
+  }
 }
 
 // What the walls have as the spheres have it changes no bit.
