@@ -132,14 +132,14 @@ TEST(WallContact, AStiffMaterialIsARigidWall) {
 }
 
 // A tube hardly wider than the sphere: between its walls an elastic sphere without friction keeps its energy, and
-// presses itself in by v √(m/k) at most. Slow motion makes the neighbour list's skin wider than the tube.
+// presses itself in by v √(m/k) at most. Steps as long as these make the skin of the neighbour list wider than the gap.
 TEST(WallContact, ANarrowTubeHoldsItsSphere) {
   for (const double ratio : {1.05, 1.1, 1.5, 2.5}) {
     Contact contact;
-    contact.stiffness = 1e4;
+    contact.stiffness = 1e3;
     contact.restitution = 1.0;
     contact.sliding_friction = 0.0;
-    contact.time_step = 2e-6;
+    contact.time_step = 5e-5;
     const double speed = 0.2;
     Engine engine = engine_with(contact, {{Wall::Kind::cylinder, 0, 1.0, ratio * radius}},
                                 {{{0.01 * radius, 0, 0.1}, {0.6 * speed, 0.8 * speed, 0}, {}, radius, density}});
@@ -150,7 +150,7 @@ TEST(WallContact, ANarrowTubeHoldsItsSphere) {
       deepest = std::max(deepest, std::hypot(x.x[0], x.y[0]) - (ratio - 1.0) * radius);
     }
     const double most = speed * std::sqrt(mass / contact.stiffness);
-    EXPECT_LT(deepest, 1.01 * most) << ratio;
+    EXPECT_LT(deepest, 1.1 * most) << ratio;
     EXPECT_GT(deepest, 0.5 * most) << ratio;
   }
 }
