@@ -95,6 +95,7 @@ TEST_F(Hdf5FileTest, SinglePrecisionKeepsSevenDigitsAndNotANumber) {
   {
     Hdf5File target = Hdf5File::create(file());
     target.write("values", values, "1", Storage::float32);
+    target.close();
   }
   const auto back = Hdf5File::open(file()).read_doubles("values");
   ASSERT_EQ(back.size(), 3U);

@@ -13,7 +13,7 @@
 
 #include "correlations/drag/drag_laws.hpp"
 #include "correlations/law_list.hpp"
-#include "solver/dem/contact_laws.hpp"
+#include "solver/dem/packing.hpp"
 #include "solver/dem/particles.hpp"
 #include "solver/laws/scene_file.hpp"
 #include "solver/run/simulation.hpp"
@@ -178,6 +178,7 @@ TEST(RandomScenes, AreRefusedOrFinishOrStopWithADiagnosis) {
     const Scene scene = Generator(k).scene();
     try {
       validate_scene(scene);
+      dem::start_positions(scene);  // as --dry-run looks for them
     } catch (const SceneError& error) {
       EXPECT_NE(std::string(error.what()), "");
       ++refused;

@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <limits>
@@ -67,6 +68,10 @@ RunResult example() {
                        &bed.maximum_overlap, &bed.foreign_present}) {
     *values = random_values(700);
   }
+  for_each_column(bed, [](std::vector<double>& column) {
+    if (column.empty()) column = random_values(700);
+  });
+  std::ranges::sort(bed.time);
   for (const std::size_t length : {40U, 2000U}) {
     DropSeries& drop = result.drops.emplace_back();
     drop.release_time = 0.3 * static_cast<double>(length);
@@ -79,14 +84,16 @@ RunResult example() {
           &drop.pressure_force_z, &drop.contacts, &drop.cumulative_contacts}) {
       *values = random_values(length);
     }
+    std::ranges::sort(drop.time);
   }
   result.plane.time = 3.3;
   result.plane.x = random_values(8);
   result.plane.z = random_values(96);
   result.plane.voidage = random_values(8 * 96);
-  result.plane.voidage[3] = std::numeric_limits<double>::quiet_NaN();
   result.plane.velocity_x = random_values(8 * 96);
   result.plane.velocity_z = random_values(8 * 96);
+  result.snapshots.push_back(
+      {"release", 0.5, 2, random_values(3), random_values(3), random_values(3), random_values(3)});
   return result;
 }
 
