@@ -139,8 +139,8 @@ int main(int argc, char** argv) {
       fmt::print(stderr, "slfb: error: {}\n", message);
       return usage_status;
     }
-    std::ranges::reverse(words);  // what CLI11 expects
-    app.parse(words);
+    std::vector<std::string> reversed(words.rbegin(), words.rend());  // what CLI11 expects
+    app.parse(reversed);
     return 0;
   } catch (const CLI::RuntimeError& status) {
     return status.get_exit_code();

@@ -9,6 +9,7 @@
 #include <atomic>
 #include <fstream>
 #include <mutex>
+#include <new>
 #include <stdexcept>
 #include <string_view>
 #include <utility>
@@ -39,6 +40,10 @@ class LibraryLock {
   ~LibraryLock() {
     if (--depth() == 0) mutex().unlock();
   }
+
+  /// For a process that was copied while the lock was held. Its only thread is another one to the system, and would
+  /// wait for the lock for ever; it starts with a new one.
+  static void renew() { new (&mutex()) std::recursive_mutex; }
 
  private:
   static std::mutex& mutex() {
@@ -525,7 +530,11 @@ void read_with_care(const std::filesystem::path& file, const std::function<void(
   constexpr unsigned patience = 60;  // [s]
   {
     const LibraryLock lock;  // no other thread is within the library when the process is copied
-    if (const auto trouble = trouble_in_child(read, patience))
+    const auto read_in_child = [&] {
+      LibraryLock::renew();
+      read();
+    };
+    if (const auto trouble = trouble_in_child(read_in_child, patience))
       throw std::runtime_error(fmt::format("{}: damaged: reading it {}", file.string(), *trouble));
   }
   read();
