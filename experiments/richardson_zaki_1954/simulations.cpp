@@ -10,9 +10,10 @@
 namespace slfb::richardson_zaki {
 namespace {
 
-/// Variants that stand for the model of the run rather than for a law.
-constexpr const char* in_three_dimensions = "three-dimensional";
 constexpr const char* in_narrower_box = "narrower-box";
+
+/// Voidages at whose velocities the quick profile simulates in three dimensions.
+constexpr std::array quick_voidages{0.5, 0.7, 0.9};
 
 /// Beside the law of the scenes: the next ones of `slfb league` without the wall's part, and the most used one.
 constexpr std::array<const char*, 4> near_laws{"syamlal-obrien-1993", "di-felice-1994", "wen-yu-1966", "gidaspow-1994"};
@@ -43,22 +44,20 @@ std::vector<std::string> differences(const std::string& how) {
 }  // namespace
 
 std::vector<Profile> profiles() {
-  Profile quick{
-      "quick",
-      differences("Slices of six diameters without walls, in a one-dimensional liquid; in three dimensions at "
-                  "the velocity of voidage 0.7."),
-      {}};
-  Profile laws{"laws", differences("Slices of six diameters without walls, in a one-dimensional liquid."), {}};
-  Profile full{
-      "full", differences("Columns in three dimensions; periodic boxes for those of more than 20 diameters."), {}};
+  const std::string columns = "Columns in three dimensions; periodic boxes of ten diameters for those of more than 20.";
+  const std::string slices = "Slices of six diameters without walls, in a one-dimensional liquid.";
+  Profile quick{"quick", differences(columns), {}};
+  Profile full{"full", differences(columns), {}};
+  Profile laws{"laws", differences(slices), {}};
   for (const ExpansionLine& line : beds()) {
+    for (const double voidage : quick_voidages) add(quick, run_of(line, voidage, Model::column, "", quick));
     for (const double voidage : league::line_voidages) {
-      add(quick, run_of(line, voidage, Model::slice, "", quick));
+      add(quick, run_of(line, voidage, Model::slice, one_dimensional, quick));
+      add(full, run_of(line, voidage, Model::column, "", full));
       for (const char* law : near_laws)
-        add(laws, run_of(line, voidage, Model::slice, law, laws), {std::string("coupling.drag_law=") + law});
-      add(full, run_of(line, voidage, Model::column, in_three_dimensions, full));
+        add(laws, run_of(line, voidage, Model::slice, std::string(one_dimensional) + "_" + law, laws),
+            {std::string("coupling.drag_law=") + law});
     }
-    add(quick, run_of(line, 0.7, Model::column, in_three_dimensions, quick));
     // What a narrower box costs: the same bed without walls, six diameters wide.
     if (!has_walls(line)) {
       const std::string width = std::to_string(6.0 * line.sphere.diameter) + " m";
@@ -66,7 +65,7 @@ std::vector<Profile> profiles() {
           {"geometry.width=[\"" + width + "\", \"" + width + "\"]", "fluid.cells_across=5", "species[0].count=413"});
     }
   }
-  return {quick, laws, full};
+  return {quick, full, laws};
 }
 
 }  // namespace slfb::richardson_zaki

@@ -7,8 +7,11 @@
 /// The simulations of the beds.
 namespace slfb::richardson_zaki {
 
-/// quick: every bed as a slice, at the velocities of five voidages, and in three dimensions at one; laws: slices with
-/// drag laws that are near; full: columns and boxes at all five, with and without the wall or in wider boxes.
+/// quick: every bed in three dimensions at the velocities of voidage 0.5, 0.7 and 0.9, and as a slice at those of five
+/// voidages; full: all in three dimensions, and boxes of another width; laws: slices with drag laws that are near.
 std::vector<Profile> profiles();
+
+/// Variant of the slices; columns and boxes have none.
+inline constexpr const char* one_dimensional = "one-dimensional";
 
 }  // namespace slfb::richardson_zaki

@@ -40,6 +40,7 @@ Work rz_put_together() {
   work.reference = &rz::printed();
   work.figures = {rz::expansion::figure(), rz::parity::figure(), rz::deviation::figure(), league::figure()};
   work.without_runs = rz::measure_laws;
+  work.shown_beside = "full";
   work.profiles = rz::profiles;
   work.claims = rz::claims;
   work.texts = texts;

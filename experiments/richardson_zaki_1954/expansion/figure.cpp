@@ -9,6 +9,7 @@
 #include "experiments/richardson_zaki_1954/beds.hpp"
 #include "experiments/richardson_zaki_1954/figures.hpp"
 #include "experiments/richardson_zaki_1954/numbers.hpp"
+#include "experiments/richardson_zaki_1954/simulations.hpp"
 
 namespace slfb::richardson_zaki::expansion {
 namespace {
@@ -16,18 +17,40 @@ namespace {
 const FigureFolder folder{"richardson_zaki_1954/expansion"};
 
 std::vector<std::string> needs(const Profile& profile) {
-  return select_run_keys(
-      profile, [](const RunSpec& spec) { return spec.variant.empty() || spec.variant == "three-dimensional"; });
+  return select_run_keys(profile,
+                         [](const RunSpec& spec) { return spec.variant.empty() || spec.variant == one_dimensional; });
 }
 
 DataTable simulated(const FigureContext& context, const std::string& bed, const std::string& variant) {
-  DataTable table{fmt::format("expansion_{}_{}", bed, variant.empty() ? "slice" : variant),
+  DataTable table{fmt::format("expansion_{}_{}", bed, variant.empty() ? "three-dimensional" : variant),
                   {"superficial velocity [m/s]", "voidage [-]", "half width of its 95 % interval [-]"},
                   {}};
   for (const MeasuredPoint& point : measured_points(context.measurements, "voidage_centre_of_mass", bed, variant))
     table.rows.push_back({point.superficial_velocity, point.value, point.half_width});
   return table;
 }
+
+/// Errors of simulated voidages against the measured lines.
+class Errors {
+ public:
+  /// \param row superficial velocity [m/s] and voidage [-]
+  void add(const ExpansionLine& line, const std::vector<double>& row) {
+    const double error = row[1] - std::pow(row[0] / line.intercept, 1.0 / line.exponent);
+    sum_ += error;
+    squares_ += error * error;
+    worst_ = std::max(worst_, std::abs(error));
+    ++points_;
+  }
+  [[nodiscard]] std::string text() const {
+    return points_ == 0 ? "not yet simulated"
+                        : fmt::format("{:+.3f} in the mean, {:.3f} root mean square, at most {:.3f} ({} runs)",
+                                      sum_ / points_, std::sqrt(squares_ / points_), worst_, points_);
+  }
+
+ private:
+  double sum_ = 0.0, squares_ = 0.0, worst_ = 0.0;
+  int points_ = 0;
+};
 
 FigureOutput draw(const FigureContext& context) {
   const auto keys = needs(context.profile);
@@ -37,8 +60,7 @@ FigureOutput draw(const FigureContext& context) {
   const league::Contender& formula = league::find_contender(all, authors_formula());
   std::vector<std::string> names, lines, laws, slices, columns;
   std::vector<double> low, high;
-  double squares = 0.0, worst = 0.0;
-  int points = 0;
+  Errors in_slices, in_columns;
   for (const ExpansionLine& line : beds()) {
     DataTable measured{"expansion_" + line.name, {"voidage [-]", "superficial velocity [m/s]"}, {}};
     DataTable theory{"expansion_" + line.name + "_laws",
@@ -51,15 +73,10 @@ FigureOutput draw(const FigureContext& context) {
       measured.rows.push_back({voidage, line.velocity(voidage)});
       theory.rows.push_back({voidage, law.velocity(bed, voidage), formula.velocity(bed, voidage)});
     }
-    const DataTable slice = simulated(context, line.name, "");
-    const DataTable column = simulated(context, line.name, "three-dimensional");
-    for (const DataTable* table : {&slice, &column})
-      for (const auto& row : table->rows) {
-        const double error = row[1] - std::pow(row[0] / line.intercept, 1.0 / line.exponent);
-        squares += error * error;
-        worst = std::max(worst, std::abs(error));
-        ++points;
-      }
+    const DataTable slice = simulated(context, line.name, one_dimensional);
+    const DataTable column = simulated(context, line.name, "");
+    for (const auto& row : slice.rows) in_slices.add(line, row);
+    for (const auto& row : column.rows) in_columns.add(line, row);
     for (const DataTable* table : {&measured, &theory}) output.data.push_back(write_csv(*table, context.out));
     for (const DataTable* table : {&slice, &column})
       if (!table->rows.empty()) output.data.push_back(write_csv(*table, context.out));
@@ -72,10 +89,10 @@ FigureOutput draw(const FigureContext& context) {
     high.push_back(1.2 * line.intercept);
   }
   output.caption = folder.caption(
-      {{"agreement", points == 0 ? ""
-                                 : fmt::format("Of {} simulated voidages the error is {:.3f} (root mean square) and at "
-                                               "most {:.3f}; two columns of the measurements differ by {:.3f}.",
-                                               points, std::sqrt(squares / points), worst, 2.0 * voidage_band())}});
+      {{"agreement",
+        fmt::format("Errors of the voidage: three dimensions {}; slices {}. Two columns of the measurements "
+                    "differ by {:.3f}.",
+                    in_columns.text(), in_slices.text(), 2.0 * voidage_band())}});
   PlotValues values;
   values.texts("name", names);
   values.files("measured", lines);

@@ -8,6 +8,7 @@
 #include "experiments/richardson_zaki_1954/beds.hpp"
 #include "experiments/richardson_zaki_1954/figures.hpp"
 #include "experiments/richardson_zaki_1954/numbers.hpp"
+#include "experiments/richardson_zaki_1954/simulations.hpp"
 
 namespace slfb::richardson_zaki::parity {
 namespace {
@@ -15,8 +16,8 @@ namespace {
 const FigureFolder folder{"richardson_zaki_1954/parity"};
 
 std::vector<std::string> needs(const Profile& profile) {
-  return select_run_keys(
-      profile, [](const RunSpec& spec) { return spec.variant.empty() || spec.variant == "three-dimensional"; });
+  return select_run_keys(profile,
+                         [](const RunSpec& spec) { return spec.variant.empty() || spec.variant == one_dimensional; });
 }
 
 DataTable table_named(const std::string& name) {
@@ -61,8 +62,8 @@ FigureOutput draw(const FigureContext& context) {
   const auto keys = needs(context.profile);
   FigureOutput output{"parity", {}, "", run_notes(context, keys)};
   constexpr double shift = 0.008;
-  const std::vector<Series> series{{simulated(context, "slice", ""), "simulated, 1-D slice", 2},
-                                   {simulated(context, "three-dimensional", "three-dimensional"), "simulated, 3-D", 3},
+  const std::vector<Series> series{{simulated(context, "slice", one_dimensional), "simulated, 1-D slice", 2},
+                                   {simulated(context, "three-dimensional", ""), "simulated, 3-D", 3},
                                    {homogeneous(context, "law", scene_law, shift), scene_law, 4},
                                    {homogeneous(context, "formula", authors_formula(), -shift), authors_formula(), 5}};
   std::string agreement = "Errors, root mean square and largest: ";
