@@ -525,7 +525,8 @@ std::vector<std::vector<Sensitivity>> sensitivities(const Choices& choices, cons
 std::vector<Identification> identify(const Choices& choices, const std::vector<PrintedNumber>& numbers,
                                      const std::vector<ReadingRuns>& runs, const Widths& widths) {
   std::vector<Identification> found(choices.factors.size());
-  std::vector<double> expected(choices.factors.size(), 0.0);
+  // By factor: how often each level was true, and told.
+  std::vector<std::map<std::size_t, std::pair<double, double>>> levels(choices.factors.size());
   for (std::size_t twin = 0; twin < runs.size(); ++twin) {
     std::vector<PrintedNumber> printed = numbers;
     std::vector<bool> known(numbers.size(), false);
@@ -558,9 +559,10 @@ std::vector<Identification> identify(const Choices& choices, const std::vector<P
       if (tried[f].size() < 2 || std::ranges::find(tried[f], truth) == tried[f].end()) continue;
       ++found[f].trials;
       found[f].mean_probability += told.levels[f][truth];
-      expected[f] += 1.0 / static_cast<double>(tried[f].size());
-      if (std::ranges::max_element(told.levels[f]) - told.levels[f].begin() == static_cast<std::ptrdiff_t>(truth))
-        ++found[f].hits;
+      const auto said = static_cast<std::size_t>(std::ranges::max_element(told.levels[f]) - told.levels[f].begin());
+      if (said == truth) ++found[f].hits;
+      levels[f][truth].first += 1.0;
+      levels[f][said].second += 1.0;
     }
   }
   for (std::size_t f = 0; f < found.size(); ++f) {
@@ -568,11 +570,11 @@ std::vector<Identification> identify(const Choices& choices, const std::vector<P
     if (one.trials == 0) continue;
     const auto trials = static_cast<double>(one.trials);
     one.mean_probability /= trials;
-    one.chance = expected[f] / trials;
-    const double by_guessing = one.hits == 0 ? 1.0
-                                             : gsl_cdf_binomial_Q(static_cast<unsigned>(one.hits - 1), one.chance,
-                                                                  static_cast<unsigned>(one.trials));
-    one.identified = by_guessing < 0.05;
+    for (const auto& [level, count] : levels[f]) one.chance += count.first / trials * count.second / trials;
+    const double by_chance = one.hits == 0 ? 1.0
+                                           : gsl_cdf_binomial_Q(static_cast<unsigned>(one.hits - 1), one.chance,
+                                                                static_cast<unsigned>(one.trials));
+    one.identified = by_chance < 0.05;
   }
   return found;
 }

@@ -135,7 +135,7 @@ struct Identification {
   std::size_t hits = 0;           ///< the true level was the most probable one
   double mean_probability = 0.0;  ///< of the true level
   double chance = 0.0;            ///< of a hit by guessing: one over the number of levels that were tried
-  bool identified = false;        ///< so many hits come by guessing in less than one of twenty cases
+  bool identified = false;        ///< so many hits come by chance in less than one of twenty cases
 };
 
 /// The synthetic twin: each reading in turn gives one drop, and another of its beds where it has one, rounded to the

@@ -133,7 +133,7 @@ std::string choices_text(const Study& study) {
       "from "
       "the runs by a sum of terms (an emulator), with the penalty; and whether a choice can be told at all: one run "
       "after another took the paper's place, and the others had to find its levels.\n\n"
-      "| choice | by the packed bed alone | by all counted numbers | found in the twins | guessing | can be told | "
+      "| choice | by the packed bed alone | by all counted numbers | found in the twins | by chance | can be told | "
       "moves "
       "most |\n|---|---|---|---|---|---|---|\n";
   for (std::size_t f = 0; f < study.choices.factors.size(); ++f) {

@@ -312,6 +312,20 @@ TEST(Identification, TellsChoicesThatShowFromThoseThatDoNot) {
   EXPECT_NEAR(found[3].chance, 0.5, 1e-12);
 }
 
+TEST(Identification, ToNameTheCommonLevelEveryTimeIsNoKnowledge) {
+  // A design about one base: the last choice has its first level in all readings but two, and moves nothing.
+  const Choices choices = two_level_choices(4);
+  std::vector<ReadingRuns> runs;
+  for (ReadingRuns& one : world(0.05, 8))
+    if (one.reading[3] == 0 || one.reading[0] + one.reading[1] + one.reading[2] == 1) runs.push_back(std::move(one));
+  runs.pop_back();
+  const Widths widths = measure_widths(world_numbers, runs, std::nullopt);
+  const auto found = identify(choices, world_numbers, runs, widths);
+  EXPECT_EQ(found[3].trials, 10U);
+  EXPECT_FALSE(found[3].identified) << found[3].hits << " of 10";
+  EXPECT_TRUE(found[0].identified);
+}
+
 TEST(Identification, NothingIsIdentifiedWhereChanceRules) {
   const Choices choices = two_level_choices(4);
   const auto runs = world(20.0, 6);
