@@ -399,6 +399,10 @@ class PhysicsCheck {
     check_steps("recording.bed_interval", recording.bed_interval, Recording{}.bed_interval);
     check_steps("recording.drop_interval", recording.drop_interval, Recording{}.drop_interval);
     if (recording.snapshot_interval > 0.0) check_steps("recording.snapshot_interval", recording.snapshot_interval);
+    if (recording.snapshot_interval > 0.0 && recording.snapshot_interval < 1e-6)
+      problem("recording.snapshot_interval", with_unit(recording.snapshot_interval, units::time),
+              "snapshots are named by microseconds, so that some would take the place of others; allowed is 1e-6 s or "
+              "more");
     const auto& [low, high] = recording.fluctuation_window;
     if (low >= high)
       problem("recording.fluctuation_window", fmt::format("[{}, {}]", shortest(low), shortest(high)),

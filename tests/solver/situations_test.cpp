@@ -96,7 +96,7 @@ class Situations : public testing::Test {
   /// Files of snapshots, without those that list them.
   [[nodiscard]] std::ptrdiff_t snapshots() const {
     return std::count_if(fs::directory_iterator(folder_.path() / "snapshots"), {},
-                         [](const auto& entry) { return entry.path().extension() == ".vtkhdf"; });
+                         [](const auto& entry) { return entry.path().extension() == ".hdf"; });
   }
   Folder folder_;
 };
@@ -105,6 +105,8 @@ TEST_F(Situations, TimesAreWholeLiquidStepsOrRefused) {
   EXPECT_EQ(refusal(box), "valid");
   expect_refused(box, {"recording.snapshot_interval=0.2 ms"}, "recording.snapshot_interval");
   expect_refused(box, {"recording.snapshot_interval=0.49999 ms"}, "0.001 s or more");
+  expect_refused(box, {"contact.time_step=1e-8", "fluid.time_step=1e-7", "recording.snapshot_interval=1e-7"},
+                 "named by microseconds");
   expect_refused(box, {"recording.drop_interval=1.5 ms"}, "is 1.5 liquid steps");
   expect_refused(box, {"stage[0].duration=0.4 ms"}, "stage[0].duration");
   expect_refused(box, {"stage[0].duration=100 ms", "stage[1].duration=0.12 s", "fluid.time_step=30 ms"},
