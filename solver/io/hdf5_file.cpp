@@ -10,8 +10,10 @@
 #include <fstream>
 #include <mutex>
 #include <new>
+#include <set>
 #include <stdexcept>
 #include <string_view>
+#include <tuple>
 #include <utility>
 
 #include "solver/support/child_process.hpp"
@@ -528,14 +530,22 @@ bool starts_with_checksum(const std::filesystem::path& file) {
 
 void read_with_care(const std::filesystem::path& file, const std::function<void()>& read) {
   constexpr unsigned patience = 60;  // [s]
+  // Files that a child has read as they are now: figures read the same ones many times.
+  using Version = std::tuple<std::filesystem::path, std::filesystem::file_time_type, std::uintmax_t>;
+  static std::set<Version> known_as_good;
+  std::error_code missing;
+  const Version version{std::filesystem::absolute(file), std::filesystem::last_write_time(file, missing),
+                        std::filesystem::file_size(file, missing)};
   {
     const LibraryLock lock;  // no other thread is within the library when the process is copied
+    if (!missing && known_as_good.contains(version)) return read();
     const auto read_in_child = [&] {
       LibraryLock::renew();
       read();
     };
     if (const auto trouble = trouble_in_child(read_in_child, patience))
       throw std::runtime_error(fmt::format("{}: damaged: reading it {}", file.string(), *trouble));
+    known_as_good.insert(version);
   }
   read();
 }
