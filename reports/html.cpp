@@ -94,11 +94,15 @@ std::string table_html(const std::vector<std::string>& headings, const std::vect
   std::string html = "<div class=\"card scroll\"><table class=\"stack\"><thead><tr>";
   for (const auto& heading : headings) html += "<th>" + heading + "</th>";
   html += "</tr></thead><tbody>\n";
+  // A label is plain text: subscripts are set back to the line.
+  static const std::regex tag("<[^>]*>");
+  std::vector<std::string> labels;
+  for (const auto& heading : headings) labels.push_back(std::regex_replace(heading, tag, ""));
   for (const auto& row : rows) {
     html += "<tr>";
     for (std::size_t i = 0; i < row.size(); ++i)
       html += i == 0 ? "<td class=\"lead\">" + row[i] + "</td>"
-                     : fmt::format("<td data-label=\"{}\">{}</td>", headings[i], row[i]);
+                     : fmt::format("<td data-label=\"{}\">{}</td>", labels[i], row[i]);
     html += "</tr>\n";
   }
   return html + "</tbody></table></div>\n";
