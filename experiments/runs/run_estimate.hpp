@@ -30,9 +30,9 @@ inline constexpr double typical_fall = 3.0;
 inline constexpr double particle_steps_per_core_second = 11.6e6;
 inline constexpr double cell_steps_per_core_second = 3.7e6;
 
-/// Memory for each sphere and each cell, for estimates only [bytes]: above what `slfb run` took (GNU time, maximum
-/// resident set) for 2e4 to 4e5 spheres and 5e3 to 5e5 cells. Contacts, shares of spheres in cells, the pressure solver
-/// and a checkpoint in the making are in it.
+/// Memory for each sphere and each cell, for estimates only [bytes]. `slfb run` took 1700 for a sphere and 1400 for a
+/// cell (maximum resident set with a checkpoint after each step, 100 to 50 000 spheres of 5 mm and 3000 to 280 000
+/// cells) above 30 MB; here it is half as much more, for denser beds and larger clouds of shares.
 inline constexpr double bytes_per_sphere = 2500.0, bytes_per_cell = 2000.0, bytes_at_least = 60e6;
 
 RunEstimate estimate_run(const Scene& scene);
