@@ -106,16 +106,28 @@ FigureOutput draw(const FigureContext& context) {
   }
   for (const DataTable* table : {&curves, &printed, &laws}) output.data.push_back(write_csv(*table, context.out));
 
+  double our_difference = 0.0;
+  const auto our_points = measured_points(context.measurements, "voidage_centre_of_mass", system);
+  std::size_t compared = 0;
+  for (const MeasuredPoint& point : our_points)
+    if (point.superficial_velocity > 0.055) {
+      our_difference += point.value - league::voidage_by_line(near.front(), bed, point.superficial_velocity);
+      ++compared;
+    }
+  const std::string of_ours =
+      compared == 0 ? ""
+                    : fmt::format(" Our beds with the paper's drag law lie {:+.3f} from it ({} velocities).",
+                                  our_difference / static_cast<double>(compared), compared);
   output.caption = folder.caption(
       {{"findings",
         fmt::format("The printed voidages lie {:+.3f} from the nearest measured line and {:+.3f} from the "
                     "formula, in the mean; Gidaspow's homogeneous bed {:+.3f} from that line, Eq. 36 {:+.3f}.",
                     nearest, by_formula, mean_difference(drag::Gidaspow1994{}, measured_voidage),
-                    mean_difference(drag::Doroodchi2012{}, measured_voidage))}});
+                    mean_difference(drag::Doroodchi2012{}, measured_voidage)) +
+            of_ours}});
   PlotValues values;
   DataTable ours{"measured_neighbours_simulated", {"superficial velocity [m/s]", "voidage [-]"}, {}};
-  for (const MeasuredPoint& point : measured_points(context.measurements, "voidage_centre_of_mass", system))
-    ours.rows.push_back({point.superficial_velocity, point.value});
+  for (const MeasuredPoint& point : our_points) ours.rows.push_back({point.superficial_velocity, point.value});
   add_series("simulated", {{std::move(ours), "our bed", 2}}, values, context, output);
   std::vector<std::string> titles;
   for (const ExpansionLine& line : near)
