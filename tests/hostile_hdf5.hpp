@@ -55,6 +55,18 @@ inline void replace(hid_t file, const std::string& path, const std::vector<doubl
   H5Sclose(space);
 }
 
+/// Another whole number in an attribute. (HDF5 1.10.8 cannot write to one that it opened by the name of its object.)
+inline void set_attribute(hid_t file, const char* object, const char* name, std::int64_t value) {
+  const hid_t opened = H5Oopen(file, object, H5P_DEFAULT);
+  if (H5Adelete(opened, name) < 0) throw std::runtime_error(std::string("the test finds no attribute ") + name);
+  const hid_t space = H5Screate(H5S_SCALAR);
+  const hid_t attribute = H5Acreate2(opened, name, H5T_STD_I64LE, space, H5P_DEFAULT, H5P_DEFAULT);
+  H5Awrite(attribute, H5T_NATIVE_INT64, &value);
+  H5Aclose(attribute);
+  H5Sclose(space);
+  H5Oclose(opened);
+}
+
 /// All values of a data set set to one.
 inline void fill(hid_t file, const std::string& path, double value) {
   const hid_t data = H5Dopen2(file, path.c_str(), H5P_DEFAULT);

@@ -250,25 +250,17 @@ TEST_F(RunResultTest, WhatContradictsItselfIsNamed) {
     }
   };
   using hostile::fill, hostile::replace;
-  const auto set_count = [](hid_t target, const char* group, std::int64_t count) {
-    const hid_t attribute = H5Aopen_by_name(target, group, "count", H5P_DEFAULT, H5P_DEFAULT);
-    H5Awrite(attribute, H5T_NATIVE_INT64, &count);
-    H5Aclose(attribute);
-  };
   for (const char* column : {"bed/centre_of_mass_height", "drops/0001/z", "plane/voidage", "snapshots/0000/radius"}) {
     expect_refused(column, [&](hid_t target) { replace(target, column, {0.1}); });
     expect_refused(column, [&](hid_t target) { replace(target, column, {}); });
     expect_refused(column, [&](hid_t target) { fill(target, column, std::nan("")); });
   }
   expect_refused("liquid_fluctuation", [&](hid_t target) { replace(target, "liquid_fluctuation/rms_x", {0.1}); });
-  expect_refused("drops@count", [&](hid_t target) { set_count(target, "drops", 1'000'000'000'000); });
-  expect_refused("drops@count", [&](hid_t target) { set_count(target, "drops", -1); });
-  expect_refused("foreign", [&](hid_t target) {
-    const std::int64_t beyond = 1'000'000;
-    const hid_t attribute = H5Aopen_by_name(target, "snapshots/0000", "foreign", H5P_DEFAULT, H5P_DEFAULT);
-    H5Awrite(attribute, H5T_NATIVE_INT64, &beyond);
-    H5Aclose(attribute);
-  });
+  expect_refused("drops@count",
+                 [&](hid_t target) { hostile::set_attribute(target, "drops", "count", 1'000'000'000'000); });
+  expect_refused("drops@count", [&](hid_t target) { hostile::set_attribute(target, "drops", "count", -1); });
+  expect_refused("foreign",
+                 [&](hid_t target) { hostile::set_attribute(target, "snapshots/0000", "foreign", 1'000'000); });
 }
 
 TEST_F(RunResultTest, CommittedResultsStayReadable) {
