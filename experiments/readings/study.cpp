@@ -68,6 +68,13 @@ void rank(std::vector<StudiedReading>& readings) {
 
 std::string number_text(std::optional<double> value) { return value ? fmt::format("{:.1f}", *value) : "–"; }
 
+/// Bars end cells of a Markdown table.
+std::string cell(std::string text) {
+  for (std::size_t at = text.find('|'); at != std::string::npos; at = text.find('|', at + 2))
+    text.replace(at, 1, "\\|");
+  return text;
+}
+
 std::string percent(double share) { return fmt::format("{:.0f} %", 100.0 * share); }
 
 nlohmann::json number_or_null(double value) { return std::isfinite(value) ? nlohmann::json(value) : nlohmann::json(); }
@@ -110,7 +117,7 @@ std::string ranking_text(const Study& study) {
                         number_text(one.without_penalty), number_text(one.assessment.calibration),
                         number_text(one.assessment.test), number_text(one.with_disputed),
                         departures.empty() ? "none" : fmt::format("{}", fmt::join(departures, "; ")), one.inside,
-                        one.tested, one.assessment.ruled_out ? one.assessment.reason : "not");
+                        one.tested, one.assessment.ruled_out ? cell(one.assessment.reason) : "not");
   }
   if (shown == 0) return "No reading has been run for all counted numbers yet.\n\n";
   return text + "\n";
@@ -147,7 +154,7 @@ std::string choices_text(const Study& study) {
     text += fmt::format("| {} | {} | {} | {} of {} | {} | {} | {} |\n", study.choices.factors[f].title,
                         probabilities(study.calibrated, f), probabilities(study.penalised, f), one.hits, one.trials,
                         percent(one.chance), one.identified ? "yes" : "no",
-                        moved.empty() ? "no number by two widths" : fmt::format("{}", fmt::join(moved, ", ")));
+                        moved.empty() ? "no number by two widths" : cell(fmt::format("{}", fmt::join(moved, ", "))));
   }
   return text + "\n";
 }

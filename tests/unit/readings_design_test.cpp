@@ -64,7 +64,7 @@ title = "smooth wall"
 overrides = ["wall.sliding_friction=0"]
 )";
 
-class Readings : public testing::Test {
+class ReadingDesigns : public testing::Test {
  protected:
   Choices load(const std::string& designs) {
     write_file(folder_.path() / "readings.toml", factors + designs);
@@ -114,20 +114,20 @@ TEST(Hadamard, RowsAndColumnsAreOrthogonal) {
   EXPECT_THROW(hadamard_matrix(257), std::invalid_argument);
 }
 
-TEST_F(Readings, OneAtATimeChangesOneLevelOfTheBase) {
+TEST_F(ReadingDesigns, OneAtATimeChangesOneLevelOfTheBase) {
   EXPECT_EQ(names("kind = \"one-at-a-time\"\n"),
             (std::set<std::string>{"base", "random", "soft-0.1", "softer", "smooth"}));
   EXPECT_EQ(names("kind = \"one-at-a-time\"\nbase = [\"random\", \"softer\"]\nlevels = [\"smooth\", \"lattice\"]\n"),
             (std::set<std::string>{"random_softer", "random_softer_smooth", "softer"}));
 }
 
-TEST_F(Readings, FullDesignHasEveryCombination) {
+TEST_F(ReadingDesigns, FullDesignHasEveryCombination) {
   EXPECT_EQ(names("kind = \"full\"\n").size(), 2U * 3U * 2U);
   EXPECT_EQ(names("kind = \"full\"\nlevels = [\"random\", \"smooth\"]\n"),
             (std::set<std::string>{"base", "random", "smooth", "random_smooth"}));
 }
 
-TEST_F(Readings, TwoLevelDesignIsBalanced) {
+TEST_F(ReadingDesigns, TwoLevelDesignIsBalanced) {
   for (const bool folded : {false, true}) {
     const Choices choices = load(std::string("[designs.it]\nkind = \"two-level\"\nfolded = ") +
                                  (folded ? "true" : "false") + "\nlevels = [\"random\", \"softer\", \"smooth\"]\n");
@@ -146,7 +146,7 @@ TEST_F(Readings, TwoLevelDesignIsBalanced) {
   }
 }
 
-TEST_F(Readings, NamesLeadBackToTheirReading) {
+TEST_F(ReadingDesigns, NamesLeadBackToTheirReading) {
   const Choices choices = load("[designs.it]\nkind = \"full\"\n");
   for (const Reading& reading : choices.design("it"))
     EXPECT_EQ(choices.reading_named(choices.name_of(reading)), reading);
@@ -154,7 +154,7 @@ TEST_F(Readings, NamesLeadBackToTheirReading) {
     EXPECT_THROW(static_cast<void>(choices.reading_named(wrong)), std::invalid_argument) << wrong;
 }
 
-TEST_F(Readings, SayWhatTheySetAndWhereTheyDepart) {
+TEST_F(ReadingDesigns, SayWhatTheySetAndWhereTheyDepart) {
   const Choices choices = load("");
   const Reading base = choices.reading_named("base"), other = choices.reading_named("random_soft-0.1");
   EXPECT_EQ(choices.overrides_of(base), (std::vector<std::string>{"seed=1", "contact.stiffness=10"}));
@@ -165,7 +165,7 @@ TEST_F(Readings, SayWhatTheySetAndWhereTheyDepart) {
   EXPECT_EQ(choices.title_of(other), "at random, soft spring");
 }
 
-TEST_F(Readings, WrongFilesAreExplained) {
+TEST_F(ReadingDesigns, WrongFilesAreExplained) {
   const auto has = [&](const std::string& text, const std::string& part) {
     EXPECT_NE(problem(text).find(part), std::string::npos) << problem(text);
   };

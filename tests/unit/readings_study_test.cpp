@@ -173,6 +173,14 @@ TEST(Study, FindsTheReadingThatThePrintIsOf) {
   EXPECT_EQ(text.find("no reading satisfies"), std::string::npos);
 }
 
+TEST(Study, BarsInTitlesDoNotEndCells) {
+  std::vector<Evidence> printed{evidence("pressure_drop", 0.06, 101.0, Part::calibration, "bed"),
+                                evidence("classification_velocity", 0.06, 0.2)};
+  printed[0].printed.title = "|dp|";
+  EXPECT_NE(study_text(study(choices(), printed, four_readings(), general_rules(), "")).find("\\|dp\\| ("),
+            std::string::npos);
+}
+
 TEST(Study, ListsWhatNoReadingSatisfies) {
   std::vector<Evidence> printed{evidence("pressure_drop", 0.06, 500.0, Part::calibration, "bed"),
                                 evidence("classification_velocity", 0.06, 0.2)};

@@ -110,7 +110,7 @@ TEST(Profiles, UnknownNameListsTheKnownOnes) {
         std::string(error.what())
             .find(
                 "known: \"candidates\", \"causes\", \"drag-law\", \"full\", \"literal\", \"packed\", \"paper-steps\", "
-                "\"quick\", \"screening\", \"springs\""),
+                "\"quick\", \"screening\", \"seconds\", \"springs\""),
         std::string::npos)
         << error.what();
   }
