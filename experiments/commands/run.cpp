@@ -41,7 +41,7 @@ constexpr const char* examples = R"(Examples:
   slfb run scene.toml --threads 2                            simulate
   slfb run scene.toml --plan auto                            simulate no more than V_2 and voidage need
   slfb run scene.toml --set "liquid.superficial_velocity=0.08 m/s" --set stage[2].repetitions=5
-  slfb run --profile full 6in5W/0.10                         one run of a profile (`slfb list --runs full` shows them)
+  slfb run --profile full SYSTEM/0.10                        one run of a profile (`slfb list --runs full` shows them)
 
 The result lies in DIR/runs/HASH/result.h5, HASH being computed from every value of the scene: the same scene is not
 simulated twice, and a run that was interrupted goes on when the same command is given again.)";
