@@ -126,11 +126,13 @@ struct PredictOptions {
   bool json = false, calibration = false;
 };
 
+/// What does not exist, such as the height of a bed that is washed out, is null.
 ordered_json json_of(const league::Predicted& predicted) {
-  return {{"value", predicted.value},
-          {"sigma", predicted.sigma()},
-          {"one_sigma", {predicted.one_sigma.first, predicted.one_sigma.second}},
-          {"two_sigma", {predicted.two_sigma.first, predicted.two_sigma.second}}};
+  const auto number = [](double value) { return std::isfinite(value) ? ordered_json(value) : ordered_json(nullptr); };
+  return {{"value", number(predicted.value)},
+          {"sigma", number(predicted.sigma())},
+          {"one_sigma", {number(predicted.one_sigma.first), number(predicted.one_sigma.second)}},
+          {"two_sigma", {number(predicted.two_sigma.first), number(predicted.two_sigma.second)}}};
 }
 
 std::string text_of(fluidisation::BedRegime regime) {

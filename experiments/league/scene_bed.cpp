@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 
 #include "correlations/drag/ergun_1952.hpp"
@@ -55,6 +56,7 @@ ScenePrediction predict_scene(const Scene& scene, const Contender& law, double p
 
   ScenePrediction result{&law, law.voidage(bed, velocity, packed_voidage).regime, {}, {}, {}, {}};
   result.voidage = predict_voidage(law, bed, velocity, packed_voidage, all.lines, tier_error);
+  if (result.regime == fluidisation::BedRegime::packed) result.voidage = gaussian(packed_voidage, packed_voidage_sigma);
   const auto height = [&](double voidage) { return voidage < 1.0 ? solids / (section * (1.0 - voidage)) : HUGE_VAL; };
   const auto heights = [&](std::pair<double, double> range) {
     return std::pair{height(range.first), height(range.second)};
@@ -67,9 +69,16 @@ ScenePrediction predict_scene(const Scene& scene, const Contender& law, double p
   if (velocity < result.minimum_fluidisation.value) {
     const Statistic packed = statistic_of(compare_packed(ergun, all.packed), 0.0);
     const double reynolds = reynolds_number(bed.liquid, bed.sphere.diameter, velocity);
-    const double carried =
-        fluidisation::drag_over_buoyant_weight(ergun, packed_voidage, reynolds, bed.archimedes()) * weight;
-    result.pressure_drop = gaussian(carried * std::exp(-packed.mean), carried * packed.total_spread);
+    const auto carried = [&](double voidage) {
+      return fluidisation::drag_over_buoyant_weight(ergun, voidage, reynolds, bed.archimedes()) * weight;
+    };
+    const double value = carried(packed_voidage) * std::exp(-packed.mean);
+    const double by_voidage =
+        0.5 * (carried(packed_voidage - packed_voidage_sigma) - carried(packed_voidage + packed_voidage_sigma));
+    result.pressure_drop = gaussian(value, std::hypot(value * packed.total_spread, by_voidage));
+  } else if (result.regime == fluidisation::BedRegime::washed_out) {
+    constexpr double none = std::numeric_limits<double>::quiet_NaN();
+    result.pressure_drop = gaussian(none, none);
   } else {
     result.pressure_drop =
         gaussian(weight, bed.liquid.density * velocity * velocity * (1.0 / result.voidage.value - 1.0));

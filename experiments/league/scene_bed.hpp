@@ -24,7 +24,7 @@ struct ScenePrediction {
   Predicted minimum_fluidisation;  ///< U_mf by Ergun (1952) [m/s]
   Predicted pressure_drop;  ///< without the static part [Pa]: the buoyant weight of the bed over the section, and its
                             ///< sigma the momentum that the liquid gains as it enters the bed, ρ U² (1/ε − 1), which
-                            ///< is given back or not; of a packed bed by Ergun (1952)
+                            ///< is given back or not; of a packed bed by Ergun (1952), of a bed that is washed out none
 };
 
 /// \param law that gives the voidage \param packed_voidage of the bed at rest [-] \param tier_error relative error of
