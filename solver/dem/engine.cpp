@@ -193,9 +193,14 @@ void Engine::note_deep_overlaps(const PairList& list, const std::uint32_t* touch
   const auto radius = [&](std::size_t k) {
     return AtWall ? batch.radius_i(k) : std::min(batch.radius_i(k), batch.radius_j(k));
   };
-  bool any = false;
-  for (std::size_t k = 0; k < size; ++k) any |= batch.overlap(k) > deep_overlap * radius(k);
-  if (!any) return;
+  // Four at a time; behind the last contact stand copies of it.
+  decltype(Pack{} > Pack{}) deep{};
+  for (std::size_t k = 0; k < size; k += 4) {
+    const Pack overlap = load(&batch.overlap(k));
+    deep |= overlap > deep_overlap * load(&batch.radius_i(k));
+    if constexpr (!AtWall) deep |= overlap > deep_overlap * load(&batch.radius_j(k));
+  }
+  if ((deep[0] | deep[1] | deep[2] | deep[3]) == 0) return;
   for (std::size_t k = 0; k < size; ++k) {
     const double share = batch.overlap(k) / radius(k);
     if (!(share > std::max(deep_overlap, partition.deepest.share))) continue;
