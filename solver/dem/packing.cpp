@@ -103,6 +103,19 @@ std::vector<PlacedSphere> one_sphere_a_site(const Scene& scene, const std::vecto
   return spheres;
 }
 
+std::int64_t places_for_the_largest(const Scene& scene) {
+  const Sites sites = sites_of(scene);
+  const bool cylinder = scene.geometry.shape == Shape::cylinder;
+  std::int64_t in_a_layer = 0, layers = 0;
+  for (int iy = 0; iy < sites.y; ++iy)
+    for (int ix = 0; ix < sites.x; ++ix) {
+      const auto [x, y] = sites.at(ix, iy);
+      in_a_layer += cylinder && std::hypot(x, y) + sites.margin > half_width(scene.geometry)[0] ? 0 : 1;
+    }
+  while (sites.margin + static_cast<double>(layers) * sites.spacing + sites.margin <= scene.geometry.height) ++layers;
+  return in_a_layer * layers;
+}
+
 /// At each place, in the cube around it, one of the largest spheres or as many of another size as a lattice of theirs
 /// has there.
 std::vector<PlacedSphere> sites_by_size(const Scene& scene, const std::vector<int>& order) {
@@ -153,7 +166,7 @@ std::vector<PlacedSphere> lattice(const Scene& scene) {
   if (spheres.size() < order.size()) spheres = sites_by_size(scene, order);
   if (spheres.size() < order.size())
     throw SceneError(
-        fmt::format("species.count: {} spheres do not fit loosely into the column of height {} m ({} did); "
+        fmt::format("{} spheres do not fit loosely into the column of height {} m ({} did); "
                     "a greater height or start.arrangement = \"random\" may help",
                     order.size(), scene.geometry.height, spheres.size()));
   return spheres;
@@ -298,7 +311,7 @@ std::vector<PlacedSphere> random_in_column(const Scene& scene) {
     if (addition.placed == wanted) return std::move(addition.spheres);
     if (height >= column)
       throw SceneError(fmt::format(
-          "start.arrangement: {} of {} spheres find a place at random in the column of height {} m (random addition "
+          "{} of {} spheres find a place at random in the column of height {} m (random addition "
           "ends "
           "near a solids fraction of 0.35, less between near walls); fewer spheres, a greater height, or arrangement = "
           "\"lattice\" may help",
@@ -311,6 +324,27 @@ std::vector<PlacedSphere> random_in_column(const Scene& scene) {
 
 std::vector<PlacedSphere> start_positions(const Scene& scene) {
   return scene.start.arrangement == Arrangement::lattice ? lattice(scene) : random_in_column(scene);
+}
+
+std::string start_problem(const Scene& scene) {
+  std::int64_t spheres = 0;
+  double volume = 0.0;
+  for (const Species& species : scene.species) {
+    spheres += species.count;
+    volume += static_cast<double>(species.count) * species.volume();
+  }
+  if (spheres == 0 || spheres > 10'000'000) return {};
+  const Geometry& geometry = scene.geometry;
+  const bool much_room = scene.start.arrangement == Arrangement::lattice
+                             ? places_for_the_largest(scene) >= spheres
+                             : volume < 0.15 * geometry.cross_section() * geometry.height;
+  if (much_room) return {};
+  try {
+    start_positions(scene);
+  } catch (const SceneError& error) {
+    return error.what();
+  }
+  return {};
 }
 
 }  // namespace slfb::dem

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <string>
 #include <vector>
 
 #include "solver/scene/scene.hpp"
@@ -26,5 +27,9 @@ struct PlacedSphere {
 /// that differ between machines, so the start is the same on any of them.
 /// Throws SceneError, with how many spheres found a place, if they do not fit below the top of the column.
 std::vector<PlacedSphere> start_positions(const Scene& scene);
+
+/// Why the spheres of a checked scene do not find places at the start; empty if they do, as also of more than ten
+/// million spheres, which are not placed for that. Costs little where there is much room.
+std::string start_problem(const Scene& scene);
 
 }  // namespace slfb::dem

@@ -13,6 +13,7 @@
 
 #include "correlations/drag/drag_laws.hpp"
 #include "solver/dem/contact_laws.hpp"
+#include "solver/dem/packing.hpp"
 #include "solver/dem/particles.hpp"
 #include "solver/laws/user_law.hpp"
 #include "solver/scene/scene_checks.hpp"
@@ -91,6 +92,12 @@ void check_contact(const Scene& scene, Problems& problems) {
                            units::rounded(bound), softer));
 }
 
+void check_start(const Scene& scene, Problems& problems) {
+  const std::string problem = dem::start_problem(scene);
+  if (!problem.empty())
+    problems.add("geometry.height", units::with_unit(scene.geometry.height, units::length), problem);
+}
+
 void check_drag_law(const Scene& scene, Problems& problems) {
   const std::string& law = scene.coupling.drag_law;
   try {
@@ -117,7 +124,8 @@ std::string place(const std::string& law, const std::string& scene_file) {
 /// A law from outside the suite is what its file says, not where the file lies.
 std::string identity(const std::string& law) { return is_user_law(law) ? user_law_hash(law) : law; }
 
-constexpr description::SceneLaws laws_of_the_suite{contact_key, check_contact, check_drag_law, place, identity};
+constexpr description::SceneLaws laws_of_the_suite{contact_key,    check_contact, check_start,
+                                                   check_drag_law, place,         identity};
 
 }  // namespace
 

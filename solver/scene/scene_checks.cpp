@@ -423,6 +423,8 @@ void check_scene(const Scene& scene, Problems& problems, const SceneLaws& laws) 
   problems.raise();
   PhysicsCheck(scene, problems, laws).run();
   problems.raise();
+  laws.check_start(scene, problems);
+  problems.raise();
 }
 
 }  // namespace slfb::description

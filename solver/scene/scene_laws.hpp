@@ -24,6 +24,8 @@ struct SceneLaws {
   Presence (*contact_key)(const std::string& law, std::string_view key);
   /// Adds what is wrong with contact.law and with contact.time_step under that law. The scene is in range.
   void (*check_contact)(const Scene& scene, Problems& problems);
+  /// Adds what keeps the spheres from finding places at the start. The scene has passed all other checks.
+  void (*check_start)(const Scene& scene, Problems& problems);
   /// Adds what is wrong with coupling.drag_law.
   void (*check_drag_law)(const Scene& scene, Problems& problems);
   /// Where a law from a file lies that a scene file names: beside `scene_file`, if it does, else as written.

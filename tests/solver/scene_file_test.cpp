@@ -722,10 +722,13 @@ TEST(SceneRules, OnlySettlingIsDry) {
             std::string::npos);
 }
 
-// A column of which more is solid than random addition can fill.
-TEST(SceneRules, AStartAtRandomNeedsRoom) {
+// A column of which more is solid than a lattice or random addition can fill.
+TEST(SceneRules, AStartNeedsRoom) {
   const std::vector<std::string> crowded{"geometry.height=0.31 m", "stage[2].release_height=0.3 m"};
-  EXPECT_NO_THROW(parse_scene(valid_scene, "scene.toml", crowded));
+  EXPECT_NE(message_of([&] {
+              parse_scene(valid_scene, "scene.toml", crowded);
+            }).find("geometry.height = \"0.31 m\": 3600 spheres do not fit loosely into the column"),
+            std::string::npos);
   std::vector<std::string> random = crowded;
   random.emplace_back("start.arrangement=random");
   EXPECT_NE(message_of([&] { parse_scene(valid_scene, "scene.toml", random); })
