@@ -40,6 +40,7 @@ MomentumEquations::MomentumEquations(const ColumnGrid& grid, const Scene& scene,
       viscosity_(scene.liquid.viscosity),
       convection_(scene.fluid.convection),
       time_scheme_(scene.fluid.time_scheme),
+      inlet_velocity_(scene.fluid.inlet_velocity),
       closed_(closed),
       threads_(threads),
       settled_flow_(!closed && scene.fluid.pressure_velocity == PressureVelocity::projection &&
@@ -280,6 +281,8 @@ void MomentumEquations::assemble(std::size_t a, SectionRange own, const Exchange
     diagonal[c.first] += from_below;
     diagonal[c.last] += from_above;
     rhs[c.first] += from_below * (a == vertical ? u[0] : c.end[0][as_index(s)]);
+    if (a == vertical && inlet_velocity_ == InletVelocity::superficial)
+      rhs[c.first] += density * std::max(flux[c.first], 0.0) * (entering_velocity(s) - u[0]);
     if (a != vertical) rhs[c.last] += from_above * c.end[1][as_index(s)];
   }
   {  // The diagonal is the sum of all weights, of the links along z last

@@ -67,6 +67,11 @@ class MomentumEquations {
     const Component& c = component[vertical];
     return settled_flow_ && !c.inlet_before.empty() ? c.inlet_before : c.end[0];
   }
+  /// Velocity whose momentum enters through section node s [m/s]: fluid.inlet_velocity.
+  [[nodiscard]] double entering_velocity(int s) const {
+    const Component& c = component[vertical];
+    return inlet_velocity_ == InletVelocity::superficial ? c.end[0][as_index(s)] : c.velocity[index_of(s, 0, c.levels)];
+  }
   /// The step is over: the liquid has entered with its present velocity.
   void end_step() { component[vertical].inlet_before.clear(); }
 
@@ -132,6 +137,7 @@ class MomentumEquations {
   double density_, viscosity_;
   ConvectionScheme convection_;
   TimeScheme time_scheme_;
+  InletVelocity inlet_velocity_;
   bool closed_;
   int threads_;
   bool settled_flow_;

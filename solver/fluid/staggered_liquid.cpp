@@ -144,7 +144,8 @@ void StaggeredLiquid::record_vertical_forces(double leaving) {
   vertical_forces_.stress = stress;
   if (momentum_.of_second_order()) vertical_forces_.momentum_rate = momentum_.vertical_momentum_rate();
   for (int s = 0; s < c.sections; ++s)
-    vertical_forces_.inflow += density_ * momentum_.convected_inlet()[as_index(s)] * grid_.area(s) * c.velocity[index_of(s, 0, c.levels)];
+    vertical_forces_.inflow +=
+        density_ * momentum_.convected_inlet()[as_index(s)] * grid_.area(s) * momentum_.entering_velocity(s);
 }
 
 double StaggeredLiquid::vertical_momentum() const {

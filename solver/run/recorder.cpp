@@ -7,6 +7,7 @@
 
 #include "solver/io/vtkhdf.hpp"
 #include "solver/laws/user_law.hpp"
+#include "solver/run/plugs.hpp"
 #include "solver/support/files.hpp"
 
 namespace slfb::simulation {
@@ -56,12 +57,20 @@ void Recorder::stage_ended() {
   if (schedule_.in_last_fluidisation()) {
     liquid_.finish(model_, schedule_.fluidised_seconds());
     bed_.look_for_standing_bed();
+    warn_of_plugs();
   }
 }
 
 void Recorder::run_ended() const {
   if (const std::string sentence = law_range_.sentence(); !sentence.empty())
     spdlog::warn("{}: {}", scene_.title, sentence);
+}
+
+void Recorder::warn_of_plugs() const {
+  const fluid::Liquid& liquid = model_.liquid();
+  if (!liquid.two_way() || liquid.grid().cells() > 1) return;
+  const std::string warning = describe(find_plugs(model_), scene_.liquid.superficial_velocity);
+  if (!warning.empty()) spdlog::warn("{}: at {:g} s {}", scene_.title, schedule_.fluidised_seconds(), warning);
 }
 
 void Recorder::write_snapshot() const {

@@ -46,6 +46,7 @@ class Recorder {
 
  private:
   void write_snapshot() const;
+  void warn_of_plugs() const;
 
   const Scene& scene_;
   Model& model_;

@@ -20,6 +20,7 @@ enum class VoidFractionScheme { centroid, particle_meshing, exact_overlap };
 enum class MomentumExchange { explicit_in_time, semi_implicit, implicit };
 enum class Interpolation { shares, gradient, trilinear };
 enum class OwnVolume { counted, spread_where_alone };
+enum class InletVelocity { interstitial, superficial };
 enum class PressureVelocity { projection, simple };
 enum class OutletRule { lid, remove };
 enum class StageKind { settle, fluidise, drop };
@@ -51,9 +52,10 @@ struct FluidNumerics {
   ConvectionScheme convection = ConvectionScheme::quick;
   TimeScheme time_scheme = TimeScheme::euler;  ///< second order: backward differences (BDF2)
   PressureVelocity pressure_velocity = PressureVelocity::projection;
-  double time_step = 0.0;            ///< [s]
-  double pressure_tolerance = 1e-6;  ///< relative residual of the pressure equation [-]
-  double simple_tolerance = 1e-5;    ///< scaled residual that ends the SIMPLE iterations [-]
+  InletVelocity inlet_velocity = InletVelocity::interstitial;  ///< with which the liquid's momentum enters
+  double time_step = 0.0;                                      ///< [s]
+  double pressure_tolerance = 1e-6;                            ///< relative residual of the pressure equation [-]
+  double simple_tolerance = 1e-5;                              ///< scaled residual that ends the SIMPLE iterations [-]
 };
 
 struct Species {

@@ -95,6 +95,8 @@ inline constexpr std::array pressure_velocities{Choice{"projection", PressureVel
 inline constexpr std::array void_fractions{Choice{"centroid", VoidFractionScheme::centroid},
                                            Choice{"particle-meshing", VoidFractionScheme::particle_meshing},
                                            Choice{"exact-overlap", VoidFractionScheme::exact_overlap}};
+inline constexpr std::array inlet_velocities{Choice{"interstitial", InletVelocity::interstitial},
+                                             Choice{"superficial", InletVelocity::superficial}};
 inline constexpr std::array exchanges{Choice{"explicit", MomentumExchange::explicit_in_time},
                                       Choice{"semi-implicit", MomentumExchange::semi_implicit},
                                       Choice{"implicit", MomentumExchange::implicit}};
@@ -147,6 +149,8 @@ void describe(Visitor& visitor, Scene& scene, const SceneLaws& laws) {
     visitor.choice("convection", fluid.convection, convections, optional);
     visitor.choice("time_scheme", fluid.time_scheme, time_schemes, optional);
     visitor.choice("pressure_velocity", fluid.pressure_velocity, pressure_velocities, optional);
+    visitor.choice("inlet_velocity", fluid.inlet_velocity, inlet_velocities,
+                   left_out_if_default(fluid.inlet_velocity, FluidNumerics{}.inlet_velocity));
     visitor.number("time_step", fluid.time_step, u::time, positive, flowing);
     visitor.number("pressure_tolerance", fluid.pressure_tolerance, u::ratio, between_zero_and_one, optional);
     visitor.number("simple_tolerance", fluid.simple_tolerance, u::ratio, between_zero_and_one, optional);

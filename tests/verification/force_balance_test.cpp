@@ -7,6 +7,7 @@
 #include <cmath>
 #include <filesystem>
 #include <functional>
+#include <numeric>
 #include <string>
 
 #include "solver/laws/scene_file.hpp"
@@ -101,6 +102,7 @@ std::vector<Option> options() {
     s.coupling.drag_times_voidage = true;
     s.liquid.superficial_velocity = 0.1;
   });
+  add("inlet_superficial", [](Scene& s) { s.fluid.inlet_velocity = InletVelocity::superficial; });
   add("smoothing", [](Scene& s) { s.coupling.smoothing_length = 0.01; });
   add("outlet_removes", [](Scene& s) {
     s.outlet.rule = OutletRule::remove;
@@ -126,6 +128,58 @@ TEST_P(ForceBalance, ClosesInEveryStep) {
     EXPECT_LT(largest, 1e-6);
   else
     EXPECT_GT(largest, 1e-6) << "the exception that is told to users is none";
+}
+
+double mean_of_second_half(const std::vector<double>& values) {
+  const auto half = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  return std::accumulate(half, values.end(), 0.0) / static_cast<double>(values.end() - half);
+}
+
+/// Heavy spheres in a fast liquid without side walls: alumina of Lethe's example of a liquid-solid fluidised bed.
+Scene heavy_bed(FluidTier tier, InletVelocity inlet) {
+  Scene scene = small_box();
+  scene.geometry.width = {0.018, 0.018};
+  scene.liquid = {996.7775, 0.8352e-3, 0.157033};
+  scene.fluid.tier = tier;
+  scene.fluid.wall = LateralBoundary::periodic;
+  scene.fluid.cell_height = 0.006;
+  scene.fluid.inlet_velocity = inlet;
+  scene.species = {{"alumina", 0.003087, 3585.9, 300}};
+  scene.contact.sliding_friction = 0.1;
+  scene.coupling.drag_law = "rong-2013";
+  scene.stages[1].duration = 3.0;
+  return scene;
+}
+
+// What the pressure drop lacks of the buoyant weight over the area stands on the distributor or is the momentum that
+// the liquid brings: ρ U²/α on entering, ρ U² on leaving. With the superficial velocity at the inlet there is none.
+TEST(MomentumAtTheEnds, IsWhatThePressureDropLacks) {
+  for (const FluidTier tier : {FluidTier::one_dimensional, FluidTier::three_dimensional})
+    for (const InletVelocity inlet : {InletVelocity::interstitial, InletVelocity::superficial}) {
+      const Scene scene = heavy_bed(tier, inlet);
+      RunOptions run_options;
+      run_options.directory =
+          std::filesystem::temp_directory_path() / "slfb_force_balance_test" /
+          ("ends" + std::to_string(static_cast<int>(tier)) + std::to_string(static_cast<int>(inlet)));
+      std::filesystem::remove_all(run_options.directory);
+      const BedSeries bed = run_scene(scene, run_options).result.bed;
+      const double weight = -bed.buoyant_weight.back(), area = scene.geometry.cross_section();
+      const double drop = mean_of_second_half(bed.pressure_drop) * area / weight,
+                   bottom = mean_of_second_half(bed.bottom_force) / weight,
+                   flow = mean_of_second_half(bed.flow_force) / weight;
+      RecordProperty(std::string(tier == FluidTier::one_dimensional ? "one" : "three") +
+                         (inlet == InletVelocity::superficial ? "_superficial" : "_interstitial"),
+                     std::to_string(drop) + " " + std::to_string(bottom) + " " + std::to_string(flow));
+      EXPECT_NEAR(drop + bottom + flow, 1.0, 3e-3) << "a steady bed gains no momentum";
+      const double kinetic = 996.7775 * 0.157033 * 0.157033 * area / weight;  // ρ U² A
+      if (inlet == InletVelocity::superficial) {
+        EXPECT_NEAR(flow, 0.0, tier == FluidTier::one_dimensional ? 1e-6 : 0.1 * kinetic);
+      } else {
+        // Between a bottom of voidage 0.9 and a packed one.
+        EXPECT_GT(flow, kinetic * (1.0 / 0.9 - 1.0));
+        EXPECT_LT(flow, kinetic * (1.0 / 0.36 - 1.0));
+      }
+    }
 }
 
 INSTANTIATE_TEST_SUITE_P(Options, ForceBalance, testing::ValuesIn(options()),
