@@ -116,6 +116,11 @@ bool LiquidVolumes::start_step(const dem::Engine& engine, double time_step, cons
   return new_shares;
 }
 
+void LiquidVolumes::add_rest_of_interval(std::vector<double>& cells) const {
+  if (steps_done_ >= steps_) return;
+  for (std::size_t c = 0; c < cells.size(); ++c) cells[c] += at_end_[c] - now_[c];
+}
+
 NamedFields LiquidVolumes::state() const {
   NamedFields state{{"liquid_volume", anew_ ? std::vector<double>{} : before_}};
   if (centres_.x.empty() || steps_done_ >= steps_) return state;

@@ -37,6 +37,9 @@ class LiquidVolumes {
   /// α per cell at the end of the step as the spheres see it, smoothed over coupling.smoothing_length [-].
   [[nodiscard]] const std::vector<double>& voidage() const { return voidage_; }
 
+  /// Adds to `cells` what the liquid volumes lack within an interval of those that the spheres' shares leave [m³].
+  void add_rest_of_interval(std::vector<double>& cells) const;
+
   [[nodiscard]] const VolumeShares& shares() const { return shares_; }
   [[nodiscard]] const LoneSpheres& lone() const { return lone_; }
   [[nodiscard]] DiffusionSmoothing& smoothing() { return smoothing_; }

@@ -265,6 +265,8 @@ void PhaseCoupling::give_to_liquid(const dem::Engine& engine, double time_step) 
     volumes_.lone().spread(*given[f], shares, scattered_[f]);
     volumes_.smoothing().scatter(scattered_[f], engine.threads());
   }
+  // The stress on the spheres acts where their shares are, the rest of it on the liquid: together on whole cells.
+  volumes_.add_rest_of_interval(scattered_[4]);
   liquid_.scatter(scattered_, exchange_);
 }
 

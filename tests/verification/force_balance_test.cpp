@@ -79,7 +79,12 @@ std::vector<Option> options() {
   });
   for (const auto& [name, scheme] : {std::pair{"centroid", VoidFractionScheme::centroid},
                                      {"particle_meshing", VoidFractionScheme::particle_meshing}})
-    add(name, [scheme = scheme](Scene& s) { s.coupling.void_fraction = scheme; });
+    add(name, [scheme = scheme](Scene& s) {
+      s.coupling.void_fraction = scheme;
+      s.fluid.cells_across = 2;  // room for all centres that may lie in one cell
+      s.fluid.cell_height = 0.0125;
+      s.fluid.pressure_tolerance = 1e-8;  // whole spheres jump: what is left of continuity is momentum
+    });
   add("void_fraction_interval", [](Scene& s) { s.coupling.void_fraction_interval = 2e-3; });
   for (const auto& [name, exchange] :
        {std::pair{"explicit", MomentumExchange::explicit_in_time}, {"implicit", MomentumExchange::implicit}})
@@ -106,6 +111,7 @@ std::vector<Option> options() {
   add("smoothing", [](Scene& s) { s.coupling.smoothing_length = 0.01; });
   add("outlet_removes", [](Scene& s) {
     s.outlet.rule = OutletRule::remove;
+    s.fluid.pressure_tolerance = 1e-8;
     s.liquid.superficial_velocity = 0.6;
   });
   return list;
