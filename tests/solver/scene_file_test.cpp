@@ -411,6 +411,19 @@ TEST(SceneFile, ReadsEveryValueInSi) {
   EXPECT_EQ(scene.recording.drop_interval, 1e-3);
 }
 
+// Runs from before coupling.own_volume had their spheres' volume counted: the text in their results says so by saying
+// nothing, and their names stay. A scene of today that says nothing has its lone spheres' volume spread.
+TEST(SceneFile, OwnVolumeOfRunsFromBeforeTheKeyIsCounted) {
+  const Scene today = parse_scene(valid_scene, "scene.toml"), before = parse_archived_scene(valid_scene, "result"),
+              said = parse_scene(valid_scene, "scene.toml", {"coupling.own_volume=counted"});
+  EXPECT_EQ(today.coupling.own_volume, OwnVolume::spread_where_alone);
+  EXPECT_EQ(before.coupling.own_volume, OwnVolume::counted);
+  EXPECT_EQ(scene_hash(before), scene_hash(said));
+  EXPECT_NE(scene_hash(before), scene_hash(today));
+  for (const Scene& scene : {today, before})
+    EXPECT_EQ(scene_hash(parse_scene(canonical_toml(scene), "canonical")), scene_hash(scene));
+}
+
 // The numbers of particles of Peng 2014: 0.5255 kg at 2230 kg/m³ is 16 668 spheres of 3 mm and 3600 of 5 mm.
 TEST(SceneFile, TotalMassIsTheWholeSpheresItPaysFor) {
   EXPECT_EQ(parse_scene(valid_scene, "scene.toml").species[0].count, 3600);

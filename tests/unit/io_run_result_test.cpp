@@ -65,7 +65,7 @@ RunResult example() {
   for (auto* values : {&bed.time, &bed.pressure_drop, &bed.centre_of_mass_height, &bed.bed_top, &bed.fluctuating_energy,
                        &bed.contacts_per_particle, &bed.local_fluctuating_energy, &bed.cumulative_contacts,
                        &bed.contact_force_bed, &bed.contact_force_foreign, &bed.contact_force_wall, &bed.network_step,
-                       &bed.maximum_overlap, &bed.foreign_present}) {
+                       &bed.maximum_overlap, &bed.foreign_present, &bed.superficial_velocity}) {
     *values = random_values(700);
   }
   for_each_column(bed, [](std::vector<double>& column) {
@@ -129,11 +129,12 @@ TEST_F(RunResultTest, EveryFieldComesBack) {
   EXPECT_EQ(read.packed_height, written.packed_height);
 
   EXPECT_EQ(read.bed.time, written.bed.time);
-  for (auto member : {&BedSeries::pressure_drop, &BedSeries::centre_of_mass_height, &BedSeries::bed_top,
-                      &BedSeries::fluctuating_energy, &BedSeries::contacts_per_particle,
-                      &BedSeries::local_fluctuating_energy, &BedSeries::cumulative_contacts,
-                      &BedSeries::contact_force_bed, &BedSeries::contact_force_foreign, &BedSeries::contact_force_wall,
-                      &BedSeries::network_step, &BedSeries::maximum_overlap, &BedSeries::foreign_present}) {
+  for (auto member :
+       {&BedSeries::pressure_drop, &BedSeries::centre_of_mass_height, &BedSeries::bed_top,
+        &BedSeries::fluctuating_energy, &BedSeries::contacts_per_particle, &BedSeries::local_fluctuating_energy,
+        &BedSeries::cumulative_contacts, &BedSeries::contact_force_bed, &BedSeries::contact_force_foreign,
+        &BedSeries::contact_force_wall, &BedSeries::network_step, &BedSeries::maximum_overlap,
+        &BedSeries::foreign_present, &BedSeries::superficial_velocity}) {
     expect_single_precision(written.bed.*member, read.bed.*member);
   }
   ASSERT_EQ(read.drops.size(), written.drops.size());
