@@ -19,6 +19,7 @@
 #include "experiments/commands/above_zero.hpp"
 #include "experiments/commands/commands.hpp"
 #include "experiments/commands/compute_studies.hpp"
+#include "experiments/commands/report_inputs.hpp"
 #include "experiments/commands/works.hpp"
 #include "experiments/runs/progress_display.hpp"
 #include "experiments/runs/run_campaign.hpp"
@@ -228,7 +229,13 @@ int make_figures(const Work& work, const Options& options) {
   const auto page = options.out / "report" / "index.html";
   Steps steps((all || missing.empty() ? 1 : 0) + (missing.empty() ? 0 : 1) + (with_studies ? 1 : 0));
   Drawn drawn;
-  if (all || missing.empty()) {
+  const auto note = options.out / "report" / "drawn_from.txt";
+  const auto is_drawn = [&] {
+    return all && missing.empty() && std::filesystem::exists(note) && std::filesystem::exists(page) &&
+           read_file(note).starts_with(report_inputs(work.id, profile.name, options.out));
+  };
+  const bool nothing_new = is_drawn();
+  if ((all || missing.empty()) && !nothing_new) {
     steps.begin("drawing", "the report from the results that exist");
     drawn = judge_and_draw(work, profile, chosen, options, steps.heading());
     if (all && (!missing.empty() || with_studies)) fmt::print(stderr, "report: {}\n", page.string());
@@ -252,7 +259,14 @@ int make_figures(const Work& work, const Options& options) {
       fmt::print(stderr, "Interrupted: the same command goes on where this one stopped.\n");
       return 130;
     }
-    drawn = judge_and_draw(work, profile, chosen, options, steps.heading() + ", drawing");
+    if (!nothing_new || !is_drawn())
+      drawn = judge_and_draw(work, profile, chosen, options, steps.heading() + ", drawing");
+  }
+  if (nothing_new && is_drawn()) {
+    const std::string kept = read_file(note);
+    fmt::print("{}Nothing is new: the report is as it was.\nreport: {}\n", kept.substr(kept.find('\n') + 1),
+               page.string());
+    return 0;
   }
 
   if (!all)
@@ -261,6 +275,9 @@ int make_figures(const Work& work, const Options& options) {
                  (options.out / "figures" / (figure->id + ".svg")).string());
   if (all) {
     fmt::print("{}\n", counts_text(drawn.judgement.evaluations));
+    if (drawn.complete)
+      write_file(note, report_inputs(work.id, profile.name, options.out) + "\n" +
+                           counts_text(drawn.judgement.evaluations) + "\n");
     if (!missing.empty() || with_studies) fmt::print("{}", changed_verdicts(before, drawn.judgement.evaluations));
     fmt::print("report: {}\n", page.string());
   }
