@@ -41,6 +41,7 @@ std::string row_html(const ClaimRow& claim, const std::string& claims_page) {
   std::string band;
   if (claim.band)
     band = fmt::format("<span class=\"id\">band <span class=\"number\">{}</span></span>", band_text(*claim.band));
+  if (claim.arithmetic) band += "<span class=\"id\">by arithmetic, not stated</span>";
   const std::string gate = claim.gate == Gate::broken ? " <span class=\"badge not-reproduced\">gate broken</span>" : "";
   return fmt::format(
       "<tr id=\"{0}\" data-verdict=\"{1}\" data-figure=\"{2}\"><td class=\"lead\">{3}<span class=\"id\">{13} · "

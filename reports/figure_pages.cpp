@@ -201,10 +201,10 @@ std::string body(const ReportContents& contents, const FigurePage& figure, const
       fmt::format("<article class=\"card figure wide\">\n{}\n<div class=\"words\"><p>{}</p>\n{}</div>\n</article>\n",
                   shown(figure, folder, files, format), prose_html(figure.caption), downloads(figure, files));
   if (!claims.empty())
-    html +=
-        "<h2>What the paper states, and ours</h2>\n" + claim_table(claims, "../claims.html") +
-        "<p class=\"soft\">A statement is reproduced when the whole 95 % interval of our number lies in the band. The "
-        "<a href=\"../claims.html\">table of all claims</a> says how verdicts are made.</p>\n";
+    html += "<h2>What the paper states, and ours</h2>\n" + claim_table(claims, "../claims.html") +
+            "<p class=\"soft\">A statement is reproduced when the whole 95 % interval of our number lies in the band, "
+            "or where the paper has one drop when that drop is one that ours give. The "
+            "<a href=\"../claims.html\">table of all claims</a> says how verdicts are made.</p>\n";
   html += findings(figure) + notes(figure) + measured + doubts(contents, figure.id) + laws(figure);
   html += "<div class=\"on-screen\">\n" + simulations(contents, figure, folder);
   return html +

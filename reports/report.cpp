@@ -107,8 +107,11 @@ std::string overview(const ReportContents& contents, bool has_parity) {
   std::map<Verdict, std::size_t> verdicts{
       {Verdict::reproduced, 0}, {Verdict::not_reproduced, 0}, {Verdict::not_decidable, 0}};
   std::map<Gate, std::size_t> gates;
+  std::map<Verdict, std::size_t> of_arithmetic;
+  std::size_t checks = 0;
   for (const ClaimRow& claim : contents.claims) {
-    ++verdicts[claim.verdict];
+    ++(claim.arithmetic ? of_arithmetic : verdicts)[claim.verdict];
+    checks += claim.arithmetic;
     ++gates[claim.gate];
   }
   html += "<div class=\"verdict-bar\" role=\"img\" aria-label=\"share of the verdicts\">";
@@ -120,9 +123,14 @@ std::string overview(const ReportContents& contents, bool has_parity) {
                         verdict_words(verdict));
   const std::size_t holding = gates[Gate::holds], broken = gates[Gate::broken];
   html += fmt::format(
-      "</div>\n<p class=\"soft\">{} in all. Beside the verdict on the paper, {} compared with our own accepted value: "
-      "{} of these regression gates hold, {} broken.</p>\n<div class=\"mosaic\">\n",
-      plural(contents.claims.size(), "claim"),
+      "</div>\n<p class=\"soft\">{} of the paper. {} by arithmetic, laws and probes, which the paper does not state, "
+      "{} apart: {} agree with it, {} do not, {} not decidable. Beside the verdict on the paper, {} compared with our "
+      "own "
+      "accepted value: {} of these regression gates hold, {} broken.</p>\n<div class=\"mosaic\">\n",
+      plural(contents.claims.size() - checks, "statement"), plural(checks, "check"), checks == 1 ? "is" : "are",
+      of_arithmetic[Verdict::reproduced], of_arithmetic[Verdict::not_reproduced],
+      of_arithmetic[Verdict::not_decidable] == 1 ? "1 is"
+                                                 : fmt::format("{} are", of_arithmetic[Verdict::not_decidable]),
       holding + broken == 1 ? "1 claim is" : fmt::format("{} claims are", holding + broken), holding,
       broken == 1 ? "1 is" : fmt::format("{} are", broken));
   for (const auto& [place, group] : claims_by_place(contents.claims)) {
@@ -154,7 +162,9 @@ std::string claim_section(const ReportContents& contents) {
       "<p>A claim is one statement of the paper that a number can decide. It is reproduced when our number lies in the "
       "band beside the paper's; the band is never widened to fit. Not decidable "
       "means that the paper gives no number or no definition, or that the simulation is still to be made; the reason "
-      "says which. Small print under our number: its 95 % interval.</p>\n"
+      "says which. Small print under our number: its 95 % interval, or for a printed number that is one drop the "
+      "interval "
+      "of one drop of ours.</p>\n"
       "<div class=\"filters\" role=\"group\" aria-label=\"filter the claims\"><button value=\"\" "
       "aria-pressed=\"true\">all"
       "</button><button value=\"reproduced\">reproduced</button><button value=\"not-reproduced\">not "

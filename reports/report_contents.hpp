@@ -36,7 +36,8 @@ struct ClaimRow {
   std::optional<double> deviation;                    ///< signed, relative: 0.05 is 5 % above
   Verdict verdict = Verdict::not_decidable;
   Gate gate = Gate::none;
-  std::string reason;  ///< one sentence behind the verdict or the broken gate
+  std::string reason;       ///< one sentence behind the verdict or the broken gate
+  bool arithmetic = false;  ///< no statement of the work: what follows from its numbers, or what a law gives
 };
 
 /// A table of texts; every row has one per heading.

@@ -10,6 +10,7 @@
 #include <limits>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <numbers>
 #include <pugixml.hpp>
 #include <set>
 #include <sstream>
@@ -203,18 +204,38 @@ bool is_trend(const Claim& claim) {
   return claim.kind == StatementKind::increasing || claim.kind == StatementKind::decreasing;
 }
 
-/// Half-width at a level of confidence that `trials` comparisons share (Šidák 1967), over the plain one.
-double widening(std::size_t trials, std::size_t samples) {
-  if (trials < 2) return 1.0;
+/// Half-width of an interval that misses the truth with this probability, over that of the 95 % interval.
+double over_95(double significance, std::size_t samples) {
   const double freedom = static_cast<double>(std::max<std::size_t>(2, samples)) - 1.0;
-  const double level = 1.0 - std::pow(0.95, 1.0 / static_cast<double>(trials));
-  return gsl_cdf_tdist_Qinv(0.5 * level, freedom) / gsl_cdf_tdist_Qinv(0.025, freedom);
+  return gsl_cdf_tdist_Qinv(0.5 * significance, freedom) / gsl_cdf_tdist_Qinv(0.025, freedom);
+}
+
+/// The same where `trials` comparisons share the 5 % (Šidák 1967).
+double widening(std::size_t trials, std::size_t samples) {
+  return trials < 2 ? 1.0 : over_95(1.0 - std::pow(0.95, 1.0 / static_cast<double>(trials)), samples);
+}
+
+/// A measurement with the interval of another level.
+Measurement at_significance(Measurement measurement, double significance) {
+  if (significance == 0.05) return measurement;
+  const double wider = over_95(significance, measurement.samples);
+  measurement.half_width *= wider;
+  if (measurement.interval)
+    measurement.interval = {
+        std::max(measurement.lowest, measurement.value - wider * (measurement.value - measurement.interval->first)),
+        std::min(measurement.highest, measurement.value + wider * (measurement.interval->second - measurement.value))};
+  return measurement;
 }
 
 /// The largest of several means. The largest of n noisy numbers is large by chance: it is below what any of n numbers
 /// may be at a level that all of them share, and above every single lower end.
 Measurement largest_of(const std::vector<Measurement>& values) {
   Measurement result = *std::ranges::max_element(values, {}, &Measurement::value);
+  if (!std::ranges::all_of(values, &Measurement::has_interval)) {
+    result.half_width = std::numeric_limits<double>::quiet_NaN();
+    result.interval.reset();
+    return result;
+  }
   double lower = -infinity, upper = -infinity;
   for (const Measurement& value : values) {
     const double wider = widening(values.size(), value.samples);
@@ -277,6 +298,11 @@ Measurement reduce(Reduction reduction, const std::vector<Measurement>& values) 
   throw std::logic_error("reduce: unknown reduction");
 }
 
+/// How many times as many samples bring the half-width down to a distance.
+double samples_for(double half_width, double distance) {
+  return distance > 0.0 ? std::max(1.0, std::pow(half_width / distance, 2)) : infinity;
+}
+
 void undecided(Evaluation& evaluation, Lack lack, std::string reason) {
   evaluation.verdict = Verdict::not_decidable;
   evaluation.lack = lack;
@@ -320,6 +346,7 @@ void judge_trend(Evaluation& evaluation, const std::vector<Measurement>& values)
     decided(evaluation, Verdict::not_reproduced, "there is no change");
   } else {
     undecided(evaluation, Lack::more_samples, "the change is smaller than its interval");
+    evaluation.samples_needed = samples_for(half_width, std::abs(change));
   }
 }
 
@@ -371,14 +398,22 @@ void judge_band(Evaluation& evaluation, const Measurement& measurement) {
             exact ? "outside the band" : "the whole interval lies outside the band");
   } else {
     undecided(evaluation, Lack::more_samples, "the interval straddles the edge of the band: more samples are needed");
+    const auto to_edge = [&](double end, double edge) {
+      const bool crosses = std::isfinite(edge) && (end - edge) * (measurement.value - edge) < 0.0;
+      return crosses ? samples_for(std::abs(end - measurement.value), std::abs(edge - measurement.value)) : 1.0;
+    };
+    evaluation.samples_needed = std::max({to_edge(lower, band.lower), to_edge(lower, band.upper),
+                                          to_edge(upper, band.lower), to_edge(upper, band.upper)});
+    if (*evaluation.samples_needed <= 1.0) evaluation.samples_needed = infinity;  // the mean is on an edge
   }
 }
 
 /// What one more drop would give: our mean is known with an error, and a drop scatters about it.
 class OneDrop {
  public:
-  explicit OneDrop(const Measurement& measured)
-      : mean_(measured.value),
+  OneDrop(const Measurement& measured, double significance)
+      : significance_(significance),
+        mean_(measured.value),
         scatter_(measured.scatter),
         error_(standard_error(measured.half_width, measured.samples)),
         freedom_(static_cast<double>(measured.samples) - 1.0),
@@ -408,16 +443,16 @@ class OneDrop {
   }
 
  private:
-  [[nodiscard]] double quantile() const { return gsl_cdf_tdist_Pinv(0.975, freedom_); }
+  [[nodiscard]] double quantile() const { return gsl_cdf_tdist_Qinv(0.5 * significance_, freedom_); }
   [[nodiscard]] double spread() const { return std::hypot(scatter_, error_); }
 
-  double mean_, scatter_, error_, freedom_, lowest_, highest_;
+  double significance_, mean_, scatter_, error_, freedom_, lowest_, highest_;
 };
 
 /// A printed value that is one drop: is it one that our drops give?
-void judge_one_value(Evaluation& evaluation, const Measurement& measurement) {
+void judge_one_value(Evaluation& evaluation, const Measurement& measurement, double significance) {
   const Claim& claim = evaluation.claim;
-  const OneDrop drop(measurement);
+  const OneDrop drop(measurement, significance);
   evaluation.ours = drop.mean();
   evaluation.deviation = deviation_of(claim, drop.mean());
   evaluation.interval = {std::max(measurement.lowest, drop.mean() - drop.of_prediction()),
@@ -430,6 +465,8 @@ void judge_one_value(Evaluation& evaluation, const Measurement& measurement) {
     undecided(evaluation, Lack::more_samples,
               "the printed drop lies within the interval of one drop of ours, but our mean is not known well enough to "
               "say that it is one of them: more drops are needed");
+    // Inside the scatter of our drops the error of the mean has to shrink to what is left of it, outside to the excess.
+    evaluation.samples_needed = samples_for(drop.of_mean(), std::abs(drop.of_drop() - distance));
   } else if (std::abs(claim.paper - drop.mean()) + drop.of_mean() > farthest) {
     undecided(evaluation, Lack::paper,
               "the printed drop is one that ours give, but ours scatter so much that a mean outside the band gives it "
@@ -470,9 +507,10 @@ std::pair<double, double> interval_of_drops(Reduction reduction, const std::vect
 }
 
 /// Bounds on printed drops, one of each measurement: how often would drops of ours keep them?
-void judge_bound_on_drops(Evaluation& evaluation, const std::vector<Measurement>& values) {
+void judge_bound_on_drops(Evaluation& evaluation, const std::vector<Measurement>& values, double significance) {
   const Claim& claim = evaluation.claim;
-  const std::vector<OneDrop> drops(values.begin(), values.end());
+  std::vector<OneDrop> drops;
+  for (const Measurement& value : values) drops.emplace_back(value, significance);
   const Band band = *claim.paper_band;
   const double probability = (std::isfinite(band.upper) ? probability_up_to(claim.reduction, drops, band.upper) : 1.0) -
                              (std::isfinite(band.lower) ? probability_up_to(claim.reduction, drops, band.lower) : 0.0);
@@ -494,12 +532,15 @@ void judge_bound_on_drops(Evaluation& evaluation, const std::vector<Measurement>
 
 /// Printed numbers of single drops. Where our drops have no scatter (one only, or a median of drops of which some had
 /// not arrived), the band decides.
-void judge_drops(Evaluation& evaluation, const std::vector<Measurement>& values) {
-  if (!std::ranges::all_of(values, OneDrop::known))
-    return judge_band(evaluation, reduce(evaluation.claim.reduction, values));
+void judge_drops(Evaluation& evaluation, const std::vector<Measurement>& values, double significance) {
+  if (!std::ranges::all_of(values, OneDrop::known)) {
+    std::vector<Measurement> widened;
+    for (const Measurement& value : values) widened.push_back(at_significance(value, significance));
+    return judge_band(evaluation, reduce(evaluation.claim.reduction, widened));
+  }
   if (evaluation.claim.kind == StatementKind::value && values.size() == 1)
-    return judge_one_value(evaluation, values[0]);
-  judge_bound_on_drops(evaluation, values);
+    return judge_one_value(evaluation, values[0], significance);
+  judge_bound_on_drops(evaluation, values, significance);
 }
 
 void judge_gate(Evaluation& evaluation) {
@@ -539,13 +580,13 @@ std::string missing_text(const Claim& claim, const MeasureKey& measure, const Me
 }
 
 /// The statement with these measures, without its gate.
-Evaluation judge_reading(const Claim& claim, const std::vector<MeasureKey>& measures,
-                         const Measurements& measurements) {
+Evaluation judge_reading(const Claim& claim, const std::vector<MeasureKey>& measures, const Measurements& measurements,
+                         double significance) {
   Evaluation evaluation;
   evaluation.claim = claim;
   evaluation.claim.measures = measures;
   std::vector<Measurement> values;
-  std::string missing, remarks;
+  std::string missing;
   std::set<std::string> remarked;
   for (const MeasureKey& measure : measures) {
     const auto keys = expand(measure, measurements);
@@ -556,8 +597,7 @@ Evaluation judge_reading(const Claim& claim, const std::vector<MeasureKey>& meas
         found = false;
       } else {
         values.push_back(entry->second);
-        if (const std::string& remark = entry->second.remark; !remark.empty() && remarked.insert(remark).second)
-          remarks += "; " + remark;
+        if (const std::string& remark = entry->second.remark; !remark.empty()) remarked.insert(remark);
       }
     }
     if (found) continue;
@@ -571,26 +611,33 @@ Evaluation judge_reading(const Claim& claim, const std::vector<MeasureKey>& meas
   } else if (of_both(values, Springs::own, Springs::softened)) {
     undecided(evaluation, Lack::run,
               "runs with the paper's springs would be compared with softened ones: more of the former are needed");
-  } else if (is_trend(claim)) {
-    judge_trend(evaluation, values);
-  } else if (claim.printed_from == PrintedFrom::one_drop) {
-    judge_drops(evaluation, values);
+  } else if (!is_trend(claim) && claim.printed_from == PrintedFrom::one_drop) {
+    judge_drops(evaluation, values, significance);
   } else {
-    judge_band(evaluation, reduce(claim.reduction, values));
+    for (Measurement& value : values) value = at_significance(std::move(value), significance);
+    if (is_trend(claim)) {
+      judge_trend(evaluation, values);
+    } else {
+      judge_band(evaluation, reduce(claim.reduction, values));
+    }
   }
-  if (evaluation.lack == Lack::more_samples && !std::ranges::all_of(values, &Measurement::steady))
-    evaluation.lack = Lack::steadiness;
-  evaluation.reason += remarks;
+  const auto unsteady = std::ranges::count(values, false, &Measurement::steady);
+  if (evaluation.lack == Lack::more_samples && unsteady > 0) evaluation.lack = Lack::steadiness;
+  if (remarked.size() == 1) {
+    evaluation.reason += "; " + *remarked.begin();
+  } else if (unsteady > 0) {
+    evaluation.reason += fmt::format("; {} of {} beds were not steady", unsteady, values.size());
+  }
   evaluation.claim = claim;
   return evaluation;
 }
 
 /// Both readings of a claim whose abscissa is not said: where they agree, or where only one can be judged, that is the
 /// verdict; where they do not, the paper does not say enough.
-Evaluation judge_both(const Claim& claim, const Measurements& measurements) {
-  Evaluation one = judge_reading(claim, claim.measures, measurements);
+Evaluation judge_both(const Claim& claim, const Measurements& measurements, double significance) {
+  Evaluation one = judge_reading(claim, claim.measures, measurements, significance);
   if (claim.other_measures.empty()) return one;
-  const Evaluation other = judge_reading(claim, claim.other_measures, measurements);
+  const Evaluation other = judge_reading(claim, claim.other_measures, measurements, significance);
   const auto account = [](const std::string& reading, const Evaluation& evaluation) {
     return fmt::format("at {}: {}{} ({})", reading,
                        evaluation.ours ? fmt::format("{:.4g}, ", *evaluation.ours) : std::string(),
@@ -606,8 +653,8 @@ Evaluation judge_both(const Claim& claim, const Measurements& measurements) {
   return one;
 }
 
-Evaluation evaluate_claim(const Claim& claim, const Measurements& measurements) {
-  Evaluation evaluation = judge_both(claim, measurements);
+Evaluation evaluate_claim(const Claim& claim, const Measurements& measurements, double significance) {
+  Evaluation evaluation = judge_both(claim, measurements, significance);
   if (!claim.undecidable.empty()) undecided(evaluation, Lack::paper, claim.undecidable);
   judge_gate(evaluation);
   return evaluation;
@@ -749,10 +796,23 @@ std::vector<Claim> load_claims(const std::filesystem::path& file, const Referenc
   return claims;
 }
 
-std::vector<Evaluation> evaluate(const std::vector<Claim>& claims, const Measurements& measurements) {
+double significance_of_look(int look) {
+  // 6/π² is one over the sum of 1/k².
+  return look <= 1 ? 0.05 : 0.05 * 6.0 / std::pow(std::numbers::pi * look, 2);
+}
+
+std::vector<Evaluation> evaluate(const std::vector<Claim>& claims, const Measurements& measurements,
+                                 const Looks& looks) {
   std::vector<Evaluation> evaluations;
   evaluations.reserve(claims.size());
-  for (const Claim& claim : claims) evaluations.push_back(evaluate_claim(claim, measurements));
+  for (const Claim& claim : claims) {
+    const auto look = looks.find(claim.id);
+    evaluations.push_back(
+        evaluate_claim(claim, measurements, significance_of_look(look == looks.end() ? 1 : look->second)));
+    if (look != looks.end() && look->second > 1)
+      evaluations.back().reason += fmt::format("; look {} at these runs, of intervals that miss in {:.2g} % of cases",
+                                               look->second, 100.0 * significance_of_look(look->second));
+  }
   return evaluations;
 }
 

@@ -1,6 +1,8 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
+#include <map>
 #include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <set>
@@ -108,6 +110,9 @@ struct Evaluation {
   Verdict verdict = Verdict::not_decidable;
   Gate gate = Gate::none;
   Lack lack = Lack::nothing;
+  /// With Lack::more_samples: how many times as many samples would decide it, were means and scatter what they seem to
+  /// be; infinite where the mean lies on an edge. Empty where that is not known.
+  std::optional<double> samples_needed = {};
   std::string reason;  ///< why not decidable, or why a gate is broken; for the others how it was decided
 };
 
@@ -116,8 +121,19 @@ struct Evaluation {
 std::vector<Claim> load_claims(const std::filesystem::path& file, const ReferenceNumbers& reference,
                                const std::set<std::string>& systems);
 
+/// How often the runs behind a claim have been looked at and made more because it was not decided (`slfb figures
+/// --decide`); a claim that is not named is at its first look.
+using Looks = std::map<std::string, int, std::less<>>;
+
+/// Probability that the intervals of a look miss the truth. Looking again until an interval happens to lie on one side
+/// of an edge would decide wrongly more often than the interval says, so later looks share what the first leaves: 5 %
+/// at the first one, 5 % · 6/(π² k²) at look k. Where the truth is on an edge, a verdict is wrong with at most half of
+/// the sum, 3.5 %, however long one looks.
+double significance_of_look(int look);
+
 /// Verdict and gate of each claim by the rules of reference-data/README.md.
-std::vector<Evaluation> evaluate(const std::vector<Claim>& claims, const Measurements& measurements);
+std::vector<Evaluation> evaluate(const std::vector<Claim>& claims, const Measurements& measurements,
+                                 const Looks& looks = {});
 
 /// Gates of the claims that rest on simulations and have no band of their own: this machine's measurements (`fresh`)
 /// against the committed ones (`accepted`). A gate breaks when a measure of its claim differs by more than chance

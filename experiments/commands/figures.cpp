@@ -11,6 +11,7 @@
 #include <filesystem>
 #include <map>
 #include <memory>
+#include <optional>
 #include <set>
 #include <string>
 #include <thread>
@@ -23,10 +24,14 @@
 #include "experiments/commands/works.hpp"
 #include "experiments/runs/progress_display.hpp"
 #include "experiments/runs/run_campaign.hpp"
+#include "experiments/runs/run_estimate.hpp"
 #include "experiments/runs/run_files.hpp"
+#include "experiments/work/decide.hpp"
 #include "experiments/work/judge.hpp"
+#include "experiments/work/more_runs.hpp"
 #include "experiments/work/report_pages.hpp"
 #include "reports/report.hpp"
+#include "solver/scene/units.hpp"
 #include "solver/support/files.hpp"
 #include "solver/support/folders.hpp"
 
@@ -41,6 +46,8 @@ constexpr const char* examples = R"(Examples:
   slfb figures --profile full      the settings of the full campaign; takes hours, may be interrupted
   slfb figures --profile NAME --only-runs --publish   simulate a profile and keep its results; draw nothing
   slfb figures --jobs 1 --threads 2   one simulation at a time on two cores
+  slfb figures --decide --budget 30min     more drops and beds where a claim is not decided, the cheapest first
+  slfb figures --decide table2 --budget 0  what each undecided claim of table2 lacks, and what it would cost
 
 Results are kept in DIR/runs and named by their scene: a second call simulates nothing twice, and after an
 interruption the same command goes on where it was. A picture is drawn again only where its numbers have changed.
@@ -58,6 +65,8 @@ struct Options {
   bool only_runs = false;
   bool publish = false;
   bool open = false;
+  std::vector<std::string> decide;  ///< beginnings of the ids of claims
+  std::string budget = "30 min";
 };
 
 std::string known_ids(const Work& work) {
@@ -107,6 +116,62 @@ void publish(const Work& work, const Profile& profile, const RunSpec& spec, cons
   const std::string hash = scene_hash(load_run_scene(spec));
   if (std::filesystem::exists(result_file(out, hash)))
     publish_result(spec, load_own_result(out, hash), profile.whole.contains(run_key(spec)), work.measuring);
+}
+
+/// "30min", "2 h", "90 s" as CPU time [s]; "0" is none.
+double budget_seconds(const std::string& text) {
+  if (text == "0") return 0.0;
+  try {
+    return units::parse_quantity(text, units::time);
+  } catch (const units::UnitError& error) {
+    throw CLI::ValidationError("--budget", error.what());
+  }
+}
+
+/// Claims whose ids begin with one of `ids`; all when there are none.
+std::vector<Claim> claims_to_decide(const Work& work, const std::vector<std::string>& ids) {
+  std::vector<Claim> claims = load_claims(work);
+  for (const std::string& id : ids)
+    if (std::ranges::none_of(claims, [&](const Claim& claim) { return claim.id.starts_with(id); }))
+      throw CLI::ValidationError("--decide", fmt::format("no claim begins with \"{}\"", id));
+  if (!ids.empty())
+    std::erase_if(claims, [&](const Claim& claim) {
+      return std::ranges::none_of(ids, [&](const std::string& id) { return claim.id.starts_with(id); });
+    });
+  return claims;
+}
+
+/// Returns the exit status.
+int decide_claims(const Work& work, const Options& options) {
+  const Profile profile = load_profile(work, options.profile.empty() ? work.default_profile : options.profile);
+  const double budget = budget_seconds(options.budget);
+  int failed = 0;
+  const auto simulate = [&](const std::vector<RunSpec>& specs) -> std::optional<double> {
+    const CampaignOutcome ended = run_campaign(specs, campaign_options(options, specs.size()));
+    failed += ended.failed;
+    if (ended.unfinished() > 0) return std::nullopt;
+    double spent = 0.0;
+    for (const RunSpec& spec : specs)
+      spent += load_own_result(options.out, scene_hash(load_run_scene(spec))).cpu_seconds;
+    return spent;
+  };
+  DecideWorld world = world_of(work, profile, claims_to_decide(work, options.decide), options.out, simulate);
+  world.begin = [](const Evaluation& evaluation, const NextStep& step) {
+    fmt::print(stderr, "{}: {} run{}, about {} of one core\n", evaluation.claim.id, step.specs.size(),
+               step.specs.size() == 1 ? "" : "s", format_duration(step.core_seconds));
+  };
+  const DecideOutcome outcome = decide(world, load_more_runs(work, options.out), budget);
+  if (options.publish) {
+    for (const RunSpec& spec : with_more_runs(with_shown_runs(work, profile), outcome.more).runs)
+      publish(work, profile, spec, options.out);
+    for (const std::string& name : work.with_scene_stiffness) {
+      const Profile stiff = load_profile(work, name);
+      for (const RunSpec& spec : with_more_runs(stiff, outcome.more).runs) publish(work, stiff, spec, options.out);
+    }
+    save_more_runs(outcome.more, published_more_runs_file(work));
+  }
+  fmt::print("{}", decide_text(outcome));
+  return failed > 0 ? 1 : outcome.interrupted ? 130 : 0;
 }
 
 /// Numbers the steps of one call: "step 2 of 3, simulations".
@@ -311,11 +376,24 @@ void add_figures_command(CLI::App& app, const Works& works) {
                  "simulate all runs of the profile, or those of the ID; draw nothing")
       ->excludes(no_run);
   command->add_flag("--open", options->open, "show the report as soon as it is there, where there is a desktop");
+  auto* decide = command
+                     ->add_option("--decide", options->decide,
+                                  "simulate more drops, beds or time where claims are not decided, the cheapest first "
+                                  "(CLAIM: what their ids begin with; default: all); draws nothing")
+                     ->expected(0, -1)
+                     ->option_text("[CLAIM ...]")
+                     ->excludes(no_run);
+  command->add_option("--budget", options->budget, "CPU time that --decide may spend (default: 30 min; 0: only tell)")
+      ->option_text("TIME")
+      ->needs(decide);
   command->add_flag("--publish", options->publish,
                     "copy the finished results of the profile to reports/published/WORK/runs, to be committed");
   command->footer(examples);
-  command->callback([options, &works] {
-    if (const int status = make_figures(find_work(works, options->work), *options); status != 0)
+  command->callback([options, decide, &works] {
+    std::erase(options->decide, "");  // what the option has without a CLAIM
+    const Work& work = find_work(works, options->work);
+    if (const int status = decide->count() > 0 ? decide_claims(work, *options) : make_figures(work, *options);
+        status != 0)
       throw CLI::RuntimeError(status);
   });
 }

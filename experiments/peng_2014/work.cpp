@@ -53,6 +53,7 @@ Work put_together() {
   work.figures = figures();
   work.shown_beside = "full";
   work.with_scene_stiffness = {"springs", "paper-steps"};
+  work.unchanged = {{"packed", "lattice-wet"}};
   work.read_by_figures = {"drag-law", "causes", "springs", "paper-steps", "packed", "screening", "candidates"};
   work.stated_liquid_step = peng_2014().value("fluid_time_step");
   work.without_runs = measure_without_runs;

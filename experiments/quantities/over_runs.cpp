@@ -37,7 +37,8 @@ PressureCurve pressure_curve(const std::map<double, Measurement>& pressures, dou
     if (velocity < packed_up_to) {
       velocities.push_back(velocity);
       packed.push_back(pressure);
-    } else if (velocity > fluidised_from) {
+    } else if (velocity > fluidised_from && !std::isnan(pressure.half_width)) {
+      // A bed that was not steady, or measured too briefly for an interval, is no point of a mean that has one.
       fluidised_velocities.push_back(velocity);
       fluidised.push_back(pressure);
     }

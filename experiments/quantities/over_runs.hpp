@@ -18,7 +18,7 @@ struct LinearNumber {
 /// The pressure drop of a bed over the superficial velocity: a straight line while it is packed, a constant when it is
 /// fluidised. Units and origins are left open; a member is empty where there are too few runs for it.
 struct PressureCurve {
-  std::optional<Measurement> plateau;    ///< mean over the fluidised runs [Pa]
+  std::optional<Measurement> plateau;    ///< mean over the fluidised runs that have an interval [Pa]
   std::optional<Measurement> slope;      ///< of the line through at least two packed runs [Pa s/m]
   std::optional<Measurement> intercept;  ///< [Pa]
   std::optional<Measurement> crossing;   ///< superficial velocity where the two lines meet [m/s]

@@ -294,7 +294,7 @@ void take_contacts_from(const Measurements& of_the_scene, const MeasuringRules& 
 std::vector<FinishedRun> take_out_other_models(std::vector<FinishedRun>& runs) {
   std::map<std::string, std::vector<const FinishedRun*>> groups;
   for (const FinishedRun& run : runs)
-    if (!run.stale) groups[run_key(run.spec)].push_back(&run);
+    if (!run.stale) groups[run_key(run.spec.system, run.spec.superficial_velocity, run.spec.variant)].push_back(&run);
   std::set<const FinishedRun*> kept;
   for (auto& [key, group] : groups) {
     keep_nearest_model(group);

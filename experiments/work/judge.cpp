@@ -1,15 +1,23 @@
 #include "experiments/work/judge.hpp"
 
 #include "experiments/runs/measure.hpp"
+#include "experiments/work/more_runs.hpp"
 
 namespace slfb {
 
 Measurements measure_all(const Work& work, const std::vector<FinishedRun>& runs, const std::filesystem::path& out) {
-  Measurements measurements = measure_runs(runs, work.measuring);
+  std::vector<FinishedRun> soft = runs;
+  for (const ProfileVariant& same : work.unchanged)
+    for (FinishedRun& run : finished_runs(load_profile(work, same.profile), out)) {
+      if (run.spec.variant != same.variant || run.stale) continue;
+      run.spec.variant.clear();
+      soft.push_back(std::move(run));
+    }
+  Measurements measurements = measure_runs(soft, work.measuring);
   if (!work.with_scene_stiffness.empty()) {
     const std::vector<FinishedRun> stiff = runs_with_scene_stiffness(work, out);
     // What does not depend on the springs is the same in both: more beds, more drops.
-    std::vector<FinishedRun> all = runs;
+    std::vector<FinishedRun> all = soft;
     all.insert(all.end(), stiff.begin(), stiff.end());
     for (auto& [key, measured] : measure_runs(all, work.measuring)) {
       const Quantity* quantity = find_quantity(work.measuring, key.quantity);
@@ -24,14 +32,16 @@ Measurements measure_all(const Work& work, const std::vector<FinishedRun>& runs,
 
 Judgement judge(const Work& work, const Profile& profile, const std::vector<Claim>& claims,
                 const std::filesystem::path& out) {
-  Judgement judgement{profile, with_shown_runs(work, profile), {}, {}, {}};
+  const MoreRuns more = load_more_runs(work, out);
+  Judgement judgement{profile, with_more_runs(with_shown_runs(work, profile), more), {}, {}, {}};
   judgement.runs = finished_runs(judgement.shown, out);
   const Measurements own = measure_runs(own_runs(judgement.runs, profile.name), work.measuring);
   judgement.left_out = take_out_other_models(judgement.runs);
   judgement.measurements = measure_all(work, judgement.runs, out);
-  judgement.evaluations = evaluate(claims, judgement.measurements);
+  judgement.evaluations = evaluate(claims, judgement.measurements, more.looks);
   if (work.name_causes) work.name_causes(judgement.evaluations, out);
-  judge_run_gates(judgement.evaluations, own, measure_runs(published_runs(profile), work.measuring));
+  judge_run_gates(judgement.evaluations, own,
+                  measure_runs(published_runs(with_more_runs(profile, more)), work.measuring));
   return judgement;
 }
 

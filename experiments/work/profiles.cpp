@@ -13,6 +13,7 @@
 
 #include "experiments/numerics/plan/plan.hpp"
 #include "experiments/runs/run_files.hpp"
+#include "experiments/work/more_runs.hpp"
 #include "solver/support/toml_table.hpp"
 
 namespace slfb {
@@ -215,8 +216,9 @@ Profile with_shown_runs(const Work& work, Profile profile) {
 
 std::vector<FinishedRun> runs_with_scene_stiffness(const Work& work, const std::filesystem::path& out) {
   std::vector<FinishedRun> runs;
+  const MoreRuns more = load_more_runs(work, out);
   for (const std::string& profile : work.with_scene_stiffness)
-    for (FinishedRun& run : finished_runs(load_profile(work, profile), out))
+    for (FinishedRun& run : finished_runs(with_more_runs(load_profile(work, profile), more), out))
       if (!run.stale) runs.push_back(std::move(run));
   return runs;
 }

@@ -127,6 +127,7 @@ reports::ClaimRow claim_row(const Evaluation& evaluation) {
   row.verdict = shown(evaluation.verdict);
   row.gate = shown(evaluation.gate);
   row.reason = evaluation.reason;
+  row.arithmetic = claim.origin == Origin::arithmetic;
   return row;
 }
 

@@ -34,6 +34,11 @@ struct System {
   std::string title;
 };
 
+/// The runs of one variant of a profile.
+struct ProfileVariant {
+  std::string profile, variant;
+};
+
 /// Everything that a work hands to the general rooms. What a work does not have is left empty.
 struct Work {
   std::string id;        ///< "author_2020": what --work takes
@@ -48,6 +53,8 @@ struct Work {
   std::string shown_beside = {};  ///< profile whose runs figures and claims use beside those of any other
   /// Profiles whose runs keep the contact stiffness of the scene where the others soften it.
   std::vector<std::string> with_scene_stiffness = {};
+  /// Variants of profiles that are the unchanged scene under another name: more samples of its numbers.
+  std::vector<ProfileVariant> unchanged = {};
   std::vector<std::string> read_by_figures = {};  ///< profiles whose runs single figures read by themselves
   /// Profiles and claims that follow from a table of the work row by row, beside those of profiles.toml and
   /// claims.toml.

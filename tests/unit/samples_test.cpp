@@ -106,7 +106,8 @@ TEST(Median, OfSomeThatArrivedLiesBetweenThem) {
   for (const double time : {3.0, 4.0, 5.0, 6.0, 7.0, 8.0}) samples.push_back({time});
   const MedianEstimate estimate = estimate_median(samples);
   EXPECT_DOUBLE_EQ(estimate.value, 6.5);
-  EXPECT_EQ(estimate.lower, 3.0);
+  // Of eight, one or none lies below the median in 9 of 256 cases: the second is below it at 95 %.
+  EXPECT_EQ(estimate.lower, 4.0);
   EXPECT_EQ(estimate.upper, infinity);
 }
 
