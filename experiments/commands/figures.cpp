@@ -147,7 +147,7 @@ int decide_claims(const Work& work, const Options& options) {
   const double budget = budget_seconds(options.budget);
   int failed = 0;
   const auto simulate = [&](const std::vector<RunSpec>& specs) -> std::optional<double> {
-    const CampaignOutcome ended = run_campaign(specs, campaign_options(options, specs.size()));
+    const CampaignOutcome ended = run_campaign(specs, campaign_options(options, specs.size(), "more runs"));
     failed += ended.failed;
     if (ended.unfinished() > 0) return std::nullopt;
     double spent = 0.0;

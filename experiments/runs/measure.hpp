@@ -12,7 +12,8 @@ namespace slfb {
 /// Runs of different models (friction, drag law, grid, …; not seeds, times, steps, springs or the height of the column)
 /// are no samples of one number. Of the runs of one key those stay whose model is nearest to the scene file of their
 /// work; the others are returned.
-std::vector<FinishedRun> take_out_other_models(std::vector<FinishedRun>& runs);
+std::vector<FinishedRun> take_out_other_models(std::vector<FinishedRun>& runs,
+                                               const MeasuringRules& rules = general_rules());
 
 /// Everything that the rules measure in finished runs.
 ///

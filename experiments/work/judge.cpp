@@ -7,12 +7,15 @@ namespace slfb {
 
 Measurements measure_all(const Work& work, const std::vector<FinishedRun>& runs, const std::filesystem::path& out) {
   std::vector<FinishedRun> soft = runs;
-  for (const ProfileVariant& same : work.unchanged)
-    for (FinishedRun& run : finished_runs(load_profile(work, same.profile), out)) {
-      if (run.spec.variant != same.variant || run.stale) continue;
+  for (const ProfileVariant& same : work.unchanged) {
+    Profile profile = load_profile(work, same.profile);
+    std::erase_if(profile.runs, [&](const RunSpec& spec) { return spec.variant != same.variant; });
+    for (FinishedRun& run : finished_runs(profile, out)) {
+      if (run.stale) continue;
       run.spec.variant.clear();
       soft.push_back(std::move(run));
     }
+  }
   Measurements measurements = measure_runs(soft, work.measuring);
   if (!work.with_scene_stiffness.empty()) {
     const std::vector<FinishedRun> stiff = runs_with_scene_stiffness(work, out);
@@ -36,7 +39,7 @@ Judgement judge(const Work& work, const Profile& profile, const std::vector<Clai
   Judgement judgement{profile, with_more_runs(with_shown_runs(work, profile), more), {}, {}, {}};
   judgement.runs = finished_runs(judgement.shown, out);
   const Measurements own = measure_runs(own_runs(judgement.runs, profile.name), work.measuring);
-  judgement.left_out = take_out_other_models(judgement.runs);
+  judgement.left_out = take_out_other_models(judgement.runs, work.measuring);
   judgement.measurements = measure_all(work, judgement.runs, out);
   judgement.evaluations = evaluate(claims, judgement.measurements, more.looks);
   if (work.name_causes) work.name_causes(judgement.evaluations, out);

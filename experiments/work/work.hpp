@@ -53,7 +53,8 @@ struct Work {
   std::string shown_beside = {};  ///< profile whose runs figures and claims use beside those of any other
   /// Profiles whose runs keep the contact stiffness of the scene where the others soften it.
   std::vector<std::string> with_scene_stiffness = {};
-  /// Variants of profiles that are the unchanged scene under another name: more samples of its numbers.
+  /// Variants of profiles that are the unchanged scene under another name: more samples of its numbers, where the
+  /// models agree (take_out_other_models).
   std::vector<ProfileVariant> unchanged = {};
   std::vector<std::string> read_by_figures = {};  ///< profiles whose runs single figures read by themselves
   /// Profiles and claims that follow from a table of the work row by row, beside those of profiles.toml and

@@ -233,6 +233,24 @@ TEST(FindRun, PrefersTheCurrentRunThatRecordsMost) {
   EXPECT_EQ(found({}), -1);
 }
 
+// Figures of single contacts draw the springs that their footer names, also where the time of a sample is rounded
+// otherwise in the softened run.
+TEST(FindRun, PrefersTheScenesOwnSpringsToEquallyFineSoftenedOnes) {
+  FinishedRun soft = synthetic::run("6in5W", 0.10, "", 1), stiff = soft;
+  soft.result.name = "soft";
+  stiff.result.name = "stiff";
+  for (double& time : soft.result.drops.front().time) time *= 1.0 - 1e-12;
+  const Profile profile;
+  const Measurements measurements;
+  const std::vector<FinishedRun> runs{soft}, own_springs{stiff};
+  const FigureContext context{profile, runs, measurements, {}, {}};
+  EXPECT_EQ(find_contact_run(context, own_springs, "6in5W/0.10")->result.name, "stiff");
+  // A run that was recorded ten times as often shows peaks that the other has lost.
+  std::vector<FinishedRun> thinned{stiff};
+  for (double& time : thinned.front().result.drops.front().time) time *= 10.0;
+  EXPECT_EQ(find_contact_run(context, thinned, "6in5W/0.10")->result.name, "soft");
+}
+
 TEST(Report, OffersTheResultOfEachRun) {
   const Folder folder;
   fs::create_directories(folder.path() / "figures");
