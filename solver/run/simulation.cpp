@@ -58,7 +58,7 @@ class Simulation {
   ProgressReporter progress_;
   RunCost cost_;
   double warned_overlap_ = 0.5 * dem::Engine::deep_overlap;  ///< over the radius: twice this is told next
-  double superficial_velocity_;  ///< that the liquid has been given [m/s]
+  double superficial_velocity_;                              ///< that the liquid has been given [m/s]
   std::chrono::steady_clock::time_point last_save_ = std::chrono::steady_clock::now();
 };
 
@@ -230,12 +230,12 @@ void Simulation::fail(const std::exception& error) {
   // Only what spheres and liquid do in a step becomes better with a smaller one.
   const bool of_motion = dynamic_cast<const dem::EngineError*>(&error) != nullptr ||
                          dynamic_cast<const fluid::FluidError*>(&error) != nullptr;
-  const double relaxation = coupling::packed_relaxation_time(scene_, find_drag_law(scene_.coupling.drag_law));
-  const std::string hint =
-      of_motion && model_.liquid().two_way() && scene_.fluid.time_step > relaxation
-          ? fmt::format("; or a smaller fluid.time_step: drag stops a sphere of the packed bed within {:.2g} s",
-                        relaxation)
-          : "";
+  std::string hint;
+  if (of_motion && model_.liquid().two_way())  // not when a law has failed: it would fail here too
+    if (const double relaxation = coupling::packed_relaxation_time(scene_, find_drag_law(scene_.coupling.drag_law));
+        scene_.fluid.time_step > relaxation)
+      hint = fmt::format("; or a smaller fluid.time_step: drag stops a sphere of the packed bed within {:.2g} s",
+                         relaxation);
   throw std::runtime_error(fmt::format("{:.6g} s after the start of the run ({:.6g} s of fluidisation): {}{}; {}",
                                        result_.simulated_seconds, schedule_.fluidised_seconds(), error.what(), hint,
                                        saved));

@@ -208,7 +208,7 @@ TEST_F(UserContactLawInAScene, ARunKeepsACopyOfTheFile) {
 
 TEST_F(UserContactLawInAScene, ALawThatThrowsIsNamedBeforeTheRun) {
   const auto throws = [](const std::string& what) {
-    return replaced(law_template("contact"),
+    return replaced("#include <stdexcept>\n" + law_template("contact"),
                     "const double damping =", "if (overlap > 0) throw " + what + "; const double damping =");
   };
   for (const auto& [source, part] : {std::pair{file("one.cpp", throws("std::runtime_error(\"no\")")), ": no"},

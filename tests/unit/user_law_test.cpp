@@ -168,7 +168,8 @@ std::string failure_with(const Scene& scene, const fs::path& out) {
 }
 
 TEST_F(UserLawInAScene, WhatALawDoesWrongIsSaidOfTheLaw) {
-  const std::string law = law_template("drag"), formula = "return one_sphere * pow(flow.voidage, -3.65);";
+  const std::string law = "#include <stdexcept>\n" + law_template("drag"),
+                    formula = "return one_sphere * pow(flow.voidage, -3.65);";
   const auto expect = [&](const std::string& name, const std::string& body, const std::string& part) {
     const std::string source = file(name, replaced(law, formula, body));
     const std::string message = failure_with(sphere(source), folder_);
