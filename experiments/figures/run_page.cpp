@@ -86,8 +86,8 @@ Plot pressure(const Scene& scene, const RunResult& result, const fs::path& folde
             folder);
   double weight = 0.0;
   for (const Species& species : scene.species)
-    weight += static_cast<double>(species.count) * (species.density - scene.liquid.density) * gravitational_acceleration *
-              Sphere{species.diameter, species.density}.volume();
+    weight += static_cast<double>(species.count) * (species.density - scene.liquid.density) *
+              gravitational_acceleration * Sphere{species.diameter, species.density}.volume();
   PlotValues values;
   values.number("weight", weight / scene.geometry.cross_section());
   draw_plot("pressure", plot_file("pressure"), values, {720, 360}, folder, {}, {"svg"});

@@ -145,12 +145,12 @@ constexpr std::array fluctuation_columns{
     Column<Liquid>{"series_z", "m s-1", "absolute deviation at each sample, mean over the cells", &Liquid::series_z},
     Column<Liquid>{"series_vector", "m s-1", "length of the deviation vector at each sample, mean over the cells",
                    &Liquid::series_vector},
-    Column<Liquid>{"sampled_velocity_x", "m s-1", "velocities, sample after sample, until they are reduced", &Liquid::samples_x,
-                   Storage::float64},
-    Column<Liquid>{"sampled_velocity_y", "m s-1", "velocities, sample after sample, until they are reduced", &Liquid::samples_y,
-                   Storage::float64},
-    Column<Liquid>{"sampled_velocity_z", "m s-1", "velocities, sample after sample, until they are reduced", &Liquid::samples_z,
-                   Storage::float64},
+    Column<Liquid>{"sampled_velocity_x", "m s-1", "velocities, sample after sample, until they are reduced",
+                   &Liquid::samples_x, Storage::float64},
+    Column<Liquid>{"sampled_velocity_y", "m s-1", "velocities, sample after sample, until they are reduced",
+                   &Liquid::samples_y, Storage::float64},
+    Column<Liquid>{"sampled_velocity_z", "m s-1", "velocities, sample after sample, until they are reduced",
+                   &Liquid::samples_z, Storage::float64},
 };
 
 constexpr std::array snapshot_columns{
@@ -286,7 +286,10 @@ void check_fluctuation(const Hdf5File& file, const Liquid& liquid) {
     const std::size_t length = (liquid.*column.values).size();
     const bool of_times = name.starts_with("series"), of_samples = name.starts_with("sampled");
     if (name != "time")
-      check_length(file, group + "/" + name, length, of_samples ? samples : of_times ? (reduced ? times : 0) : cells);
+      check_length(file, group + "/" + name, length,
+                   of_samples ? samples
+                   : of_times ? (length == 0 && !reduced ? 0 : times)
+                              : cells);
   }
   check_times(file, group + "/time", liquid.time);
 }

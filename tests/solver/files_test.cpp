@@ -78,8 +78,8 @@ TEST_F(Files, WhatAKilledProcessLeftUnfinishedIsRemoved) {
   const pid_t child = fork();
   if (child == 0) _exit(0);
   waitpid(child, nullptr, 0);
-  const std::string dead = "result.h5." + std::to_string(child) + "-3.part",
-                    alive = "result.h5." + std::to_string(getpid()) + "-3.part";
+  const std::string dead = "result.h5." + std::to_string(child) + "-1000.part",
+                    alive = "result.h5." + std::to_string(getpid()) + "-1000.part";
   for (const std::string& name : {dead, alive, std::string("note.part"), std::string("result.h5")})
     write_file(folder_ / name, "x");
   remove_unfinished(folder_);

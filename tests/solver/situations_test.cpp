@@ -129,9 +129,9 @@ TEST_F(Situations, ASnapshotInEachLiquidStepHasItsOwnFile) {
 }
 
 TEST_F(Situations, SnapshotsCloserThanAMillisecondKeepTheirOwnFiles) {
-  const Scene scene =
-      parse_scene(tube("50 mm", water, "diameter = 0.005\ndensity = 2230\n"), "scene.toml",
-                  {"recording.snapshot_interval=0.2 ms", "recording.drop_interval=0.2 ms", "stage[0].duration=10 ms"});
+  const Scene scene = parse_scene(tube("50 mm", water, "diameter = 0.005\ndensity = 2230\n"), "scene.toml",
+                                  {"contact.time_step=0.1 ms", "recording.snapshot_interval=0.2 ms",
+                                   "recording.drop_interval=0.2 ms", "stage[0].duration=10 ms"});
   run(scene);
   EXPECT_EQ(snapshots(), 50);
 }

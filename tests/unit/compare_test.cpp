@@ -348,7 +348,8 @@ TEST_F(CompareCommand, ComparesVoidFractionSchemesByTheirRuns) {
       spec.overrides.push_back("coupling.void_fraction=" + scheme);
       RunResult result = synthetic::run("6in5W", 0.10, "", ++seed).result;
       for (DropSeries& drop : result.drops) drop.species = "steel";
-      const fs::path target = result_file(out_, scene_hash(load_run_scene(spec)));
+      result.name = scene_hash(load_run_scene(spec));
+      const fs::path target = result_file(out_, result.name);
       fs::create_directories(target.parent_path());
       save_result(result, target);
     }

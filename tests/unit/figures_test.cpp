@@ -260,7 +260,7 @@ TEST(Report, OffersTheResultOfEachRun) {
   FinishedRun& run = drawn.runs.front();
   run.result.name = "0123456789abcdef";
   save_result(run.result, result_file(folder.path(), run.result.name));
-  const std::vector<Evaluation> evaluations;
+  const auto evaluations = evaluate(load_claims(), drawn.measurements);
   const reports::ReportContents contents =
       write_report_of(drawn, evaluations, folder.path() / "figures", folder.path());
   EXPECT_EQ(load_result(folder.path() / "report" / "runs" / contents.runs.front().download).name, run.result.name);

@@ -57,7 +57,8 @@ struct Oscillator {
     Engine::Memory memory = engine.memory();
     Particles particles = engine.particles;
     const auto y = derivatives(0.0, 5);
-    const std::size_t rows = memory.integrator.size() / 6;  // of three numbers each, for two spheres
+    // Of three numbers each, for two spheres and for the forces of two kinds of walls, which come last.
+    const std::size_t rows = memory.integrator.size() / 12;
     for (std::size_t i : {0U, 1U}) {
       const double share = (i == 0 ? -1.0 : 1.0) * effective_mass() / mass[i];  // x_i'' = −share δ''
       particles.position.x[i] = i == 0 ? 0.0 : distance;

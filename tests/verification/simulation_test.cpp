@@ -167,8 +167,8 @@ TEST_P(ExpandedBed, IsTakenDownByASecondStage) {
   ASSERT_EQ(bed.superficial_velocity.size(), bed.time.size());
   for (std::size_t k = 0; k < bed.time.size(); ++k)
     ASSERT_EQ(bed.superficial_velocity[k], bed.time[k] < 0.8005 ? 0.14 : 0.05) << bed.time[k];
-  const auto change = static_cast<std::size_t>(std::ranges::find(bed.superficial_velocity, 0.05) -
-                                               bed.superficial_velocity.begin());
+  const auto change =
+      static_cast<std::size_t>(std::ranges::find(bed.superficial_velocity, 0.05) - bed.superficial_velocity.begin());
   EXPECT_LT(bed.centre_of_mass_height.back(), 0.9 * bed.centre_of_mass_height[change]);
   EXPECT_LT(*std::max_element(bed.balance_residual.begin(), bed.balance_residual.end()), 1e-6);
 

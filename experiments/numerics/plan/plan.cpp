@@ -100,16 +100,18 @@ bool holds(const Rule& rule, const std::vector<Number>& numbers, const std::vect
 /// "cells_in_diameters=1.25" the same, but wide enough for the largest sphere. Others as they are.
 Overrides for_scene(const Scene& scene, const std::vector<std::string>& overrides) {
   Overrides list;
-  const auto cubes = [&](double width_wished) {
-    const double width =
-        scene.geometry.shape == Shape::cylinder ? scene.geometry.diameter : scene.geometry.width.front();
-    const auto across = std::max(1L, std::lround(std::floor(width / width_wished * (1.0 + 1e-9))));
-    list.push_back(fmt::format("fluid.cells_across={}", across));
-    list.push_back(fmt::format("fluid.cell_height={}", width / static_cast<double>(across)));
-  };
   const double diameter = leading_species(scene).diameter;
   double largest = 0.0;
   for (const Species& species : scene.species) largest = std::max(largest, species.diameter);
+  const auto cubes = [&](double width_wished) {
+    const double width =
+        scene.geometry.shape == Shape::cylinder ? scene.geometry.diameter : scene.geometry.width.front();
+    // A cube of less than 1/√3 of the largest diameter could lie wholly inside that sphere.
+    const double narrowest = std::max(width_wished, largest / std::numbers::sqrt3);
+    const auto across = std::max(1L, std::lround(std::floor(width / narrowest * (1.0 + 1e-9))));
+    list.push_back(fmt::format("fluid.cells_across={}", across));
+    list.push_back(fmt::format("fluid.cell_height={}", width / static_cast<double>(across)));
+  };
   for (const std::string& one : overrides) {
     const std::string key = one.substr(0, one.find('=')), value = one.substr(key.size() + 1);
     const bool drop = key.starts_with("stage[drop]"), fluidise = key.starts_with("stage[fluidise]");
