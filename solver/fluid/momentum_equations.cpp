@@ -143,7 +143,7 @@ void MomentumEquations::put_stress_on(const Exchange& exchange) {
   for_ranges([&](std::size_t a, SectionRange own, int) {
     Component& c = component[a];
     const std::size_t first = index_of(own.first, 0, c.levels), end = index_of(own.last, 0, c.levels);
-    std::copy(&c.liquid_now[first], c.liquid_now.data() + end, &c.stressed[first]);
+    std::copy(c.liquid_now.data() + first, c.liquid_now.data() + end, c.stressed.data() + first);
     if (exchange.volume[a].empty()) return;
     const double* volume = exchange.volume[a].data();
     double* stressed = c.stressed.data();
