@@ -146,6 +146,7 @@ void LiquidVolumes::restore(const NamedFields& state, const std::vector<double>&
   centres_ = {field_of(state, "interval/centre_x", spheres), field_of(state, "interval/centre_y", spheres),
               field_of(state, "interval/centre_z", spheres)};
   std::vector<double> sphere_volume;
+  sphere_volume.reserve(radius.size());
   for (const double r : radius) sphere_volume.push_back(dem::Particles::volume_of(r));
   find_shares(centres_, radius, sphere_volume, 1);
 }

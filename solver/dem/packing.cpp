@@ -124,7 +124,7 @@ std::vector<PlacedSphere> sites_by_size(const Scene& scene, const std::vector<in
   const double half_x = half_width(scene.geometry)[0];
   const auto layers =
       static_cast<std::int64_t>(std::floor((scene.geometry.height - 2.0 * sites.margin) / sites.spacing)) + 1;
-  const std::int64_t cubes = layers * sites.x * sites.y;
+  const std::int64_t in_a_layer = std::int64_t{sites.x} * sites.y, cubes = layers * in_a_layer;
   struct OpenCube {
     std::int64_t cube = -1;
     int next = 0;  ///< place in its own lattice
@@ -144,13 +144,13 @@ std::vector<PlacedSphere> sites_by_size(const Scene& scene, const std::vector<in
         own = {used++, 0};
       }
       const int q = own.next++;
-      const auto column = static_cast<int>(own.cube % (sites.x * sites.y));
+      const auto column = static_cast<int>(own.cube % in_a_layer);
       const auto [cube_x, cube_y] = sites.at(column % sites.x, column / sites.x);
       const auto within = [&](int k) { return ((k + 0.5) / edge - 0.5) * sites.spacing; };
       const double x = cube_x + within(q % edge), y = cube_y + within(q / edge % edge);
       if (cylinder && std::hypot(x, y) + 0.5 * diameter + jitter > half_x) continue;
-      const double z = sites.margin + static_cast<double>(own.cube / (sites.x * sites.y)) * sites.spacing +
-                       within(q / (edge * edge));
+      const std::int64_t layer = own.cube / in_a_layer;
+      const double z = sites.margin + static_cast<double>(layer) * sites.spacing + within(q / (edge * edge));
       const std::uint64_t item = spheres.size() + 1;
       place = {x + shift(scene, jitter, item, 0), y + shift(scene, jitter, item, 1), z + shift(scene, jitter, item, 2)};
     }
