@@ -48,9 +48,8 @@ Predicted predict(const Contender& law, const Statistic& statistic, const Bed& b
 }
 
 void add_points(std::vector<Blind>& list, const Contender& law, const Statistic& statistic, const ExpansionLine& line) {
-  constexpr double loosest_packed = 0.36;
   for (const double voidage : line_voidages) {
-    const Predicted found = predict(law, statistic, bed_of(line), line.velocity(voidage), loosest_packed, 0.0);
+    const Predicted found = predict(law, statistic, bed_of(line), line.velocity(voidage), densest_packed_voidage, 0.0);
     const auto inside = [&](std::pair<double, double> range) {
       return voidage >= range.first && voidage <= range.second;
     };

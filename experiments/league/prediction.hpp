@@ -59,9 +59,6 @@ std::vector<Blind> leave_one_group_out(const std::vector<Contender>& laws, const
 /// Suspensions that settle, predicted from the fluidised beds alone.
 std::vector<Blind> predict_settling(const std::vector<Contender>& laws, const std::vector<ExpansionLine>& lines);
 
-/// Packed voidage of spheres that are poured in: random packings have 0.36 to 0.44, read as two sigmas.
-inline constexpr double packed_voidage_mean = 0.40, packed_voidage_sigma = 0.02;
-
 /// U_mf [m/s]: the velocity at which a drag law of packed beds carries the spheres at the packed voidage. Its sigma is
 /// made of that of the packed voidage and of the law's spread over the measured packed beds.
 Predicted predict_minimum_fluidisation(const drag::DragLawKernels& law, const Bed& bed,

@@ -16,8 +16,6 @@ namespace {
 constexpr double slow_below = 1.0, fast_above = 500.0;  // of the terminal Reynolds number
 constexpr double dense_up_to = 0.65;                    // of the voidage
 constexpr double narrow_from = 0.04;  // of d/D: the range that Richardson & Zaki (1954) state for their laws
-/// Packed where a law that is held against an expanded bed says so [-].
-constexpr double packed_voidage = 0.36;
 
 bool fluidised(const ExpansionLine& line) { return line.motion == BedMotion::fluidised; }
 
@@ -34,7 +32,7 @@ Standing stand(const Contender& contender, const std::vector<ExpansionLine>& lin
     for (const double voidage : line_voidages) {
       if (!regime.has(line, voidage)) continue;
       ++points;
-      const double error = contender.voidage(bed, line.velocity(voidage), packed_voidage).voidage - voidage;
+      const double error = contender.voidage(bed, line.velocity(voidage), densest_packed_voidage).voidage - voidage;
       sum += error;
       squares += error * error;
       standing.worst_voidage_error = std::max(standing.worst_voidage_error, std::abs(error));
@@ -195,7 +193,7 @@ std::vector<Comparison> compare_lines(const Contender& contender, const std::vec
 
 std::vector<Comparison> compare_packed(const drag::DragLawKernels& law, const std::vector<PackedBedPoint>& points) {
   std::vector<Comparison> comparisons;
-  constexpr double voidage = assumed_packed_voidage, solids = 1.0 - voidage;
+  constexpr double voidage = packed_voidage_mean, solids = 1.0 - voidage;
   for (const PackedBedPoint& point : points) {
     // ε Δp/L = β U/ε with β = 18 μ ε (1 − ε) F/d² makes Δp d² ε³/(L μ U (1 − ε)²) = 18 F ε²/(1 − ε).
     const double friction = 18.0 * law({voidage, point.reynolds_over_solids * solids}) * voidage * voidage / solids;

@@ -21,9 +21,9 @@ const Measured& measured();
 /// Voidages at which a measured line is read [-]. The range in which the points of a line lie is not printed.
 inline constexpr double line_voidages[] = {0.5, 0.6, 0.7, 0.8, 0.9};
 
-/// Voidage of the packed beds whose own is not at hand [-]: loose to dense random packings of spheres have 0.36 to
-/// 0.44. Laws of Ergun's form do not need it.
-inline constexpr double assumed_packed_voidage = 0.40;
+/// Voidage of packed beds whose own is not at hand [-]: dense to loose random packings of spheres have 0.36 to 0.44,
+/// read as two sigmas on either side.
+inline constexpr double densest_packed_voidage = 0.36, packed_voidage_mean = 0.40, packed_voidage_sigma = 0.02;
 
 /// σ_E of a velocity on a measured line [-]: how far lines of the same spheres in the same liquid and different tubes
 /// lie apart at one voidage, once the part that Richardson & Zaki (1954) ascribe to the tube is taken off; and the

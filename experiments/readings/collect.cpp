@@ -13,9 +13,6 @@
 namespace slfb::readings {
 namespace {
 
-/// Half width of a 95 % interval over the standard error that it stands for.
-constexpr double half_width_over_error = 1.96;
-
 /// A run with what was measured in it.
 struct Measured {
   const FinishedRun* run;
@@ -69,7 +66,7 @@ OfSeed beds(const std::string& quantity, const std::vector<const Measured*>& run
   for (const Measured* one : runs) {
     const auto seed = one->run->scene.seed;
     if (const auto bed = one->summary.bed.find(quantity); bed != one->summary.bed.end()) {
-      const double error = bed->second.half_width / half_width_over_error / bed->second.mean;
+      const double error = bed->second.half_width / inside_95_percent / bed->second.mean;
       values.emplace(seed, std::pair{std::log(bed->second.mean), std::isfinite(error) ? error : 0.0});
     } else if (const auto value = one->summary.run.find(quantity); value != one->summary.run.end()) {
       values.emplace(seed, std::pair{std::log(value->second), 0.0});

@@ -79,6 +79,9 @@ struct Assessment {
 /// one maximum (Pukelsheim 1994, Am. Stat. 48, 88; in history matching since Craig et al. 1997).
 inline constexpr double implausible = 3.0;
 
+/// Standard errors within which 95 of 100 Gaussian values lie.
+inline constexpr double inside_95_percent = 1.96;
+
 /// Numbers that no reading comes near (implausibility above `implausible` for all that were run): they tell readings
 /// apart no more than a mistake in the print does, and count in neither rule nor likelihood.
 std::vector<bool> reached_by_any(const std::vector<PrintedNumber>& numbers, const std::vector<ReadingRuns>& runs,

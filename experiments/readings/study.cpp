@@ -13,7 +13,6 @@
 namespace slfb::readings {
 namespace {
 
-constexpr double inside_95_percent = 1.96;
 /// Readings that lie no more than this below the best are told as nearly as good: one in ten by the odds.
 constexpr double nearly_as_good = 1.0;
 constexpr std::size_t told_readings = 10;

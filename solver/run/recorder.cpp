@@ -56,8 +56,7 @@ void Recorder::stage_ended() {
   if (schedule_.stage().kind == StageKind::settle) bed_.measure_packed_bed(model_, !schedule_.stage().dry);
   if (schedule_.in_last_fluidisation()) {
     liquid_.finish(model_, schedule_.fluidised_seconds());
-    bed_.look_for_standing_bed();
-    warn_of_plugs();
+    if (!warn_of_plugs()) bed_.look_for_standing_bed();
   }
 }
 
@@ -66,11 +65,13 @@ void Recorder::run_ended() const {
     spdlog::warn("{}: {}", scene_.title, sentence);
 }
 
-void Recorder::warn_of_plugs() const {
+bool Recorder::warn_of_plugs() const {
   const fluid::Liquid& liquid = model_.liquid();
-  if (!liquid.two_way() || liquid.grid().cells() > 1) return;
+  if (!liquid.two_way() || liquid.grid().cells() > 1) return false;
   const std::string warning = describe(find_plugs(model_), scene_.liquid.superficial_velocity);
-  if (!warning.empty()) spdlog::warn("{}: at {:g} s {}", scene_.title, schedule_.fluidised_seconds(), warning);
+  if (warning.empty()) return false;
+  spdlog::warn("{}: at {:g} s {}", scene_.title, schedule_.fluidised_seconds(), warning);
+  return true;
 }
 
 void Recorder::write_snapshot() const {

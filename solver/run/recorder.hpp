@@ -46,7 +46,8 @@ class Recorder {
 
  private:
   void write_snapshot() const;
-  void warn_of_plugs() const;
+  /// Of a bed in a one-dimensional liquid. Returns whether there was something to warn of.
+  bool warn_of_plugs() const;
 
   const Scene& scene_;
   Model& model_;

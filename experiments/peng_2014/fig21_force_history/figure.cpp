@@ -99,10 +99,10 @@ FigureOutput draw(const FigureContext& context) {
     const auto peak = std::ranges::max_element(force.rows, {}, [](const std::vector<double>& row) { return row[1]; });
     common_end = std::min(common_end, force.rows.back()[0]);
     highest_drawn = std::max(highest_drawn, (*peak)[1]);
-    remarks.push_back(
-        fmt::format("springs {} N/m, sampled every {:.2g} ms; passage {:.1f} s, highest peak {:.0f} at {:.2f} s",
-                    stiffness_text(run->scene.contact.stiffness), 1e3 * sample_interval(run->result.drops.front()),
-                    force.rows.back()[0], (*peak)[1], (*peak)[0]));
+    remarks.push_back(fmt::format("{} N/m, every {:.2g} ms; passage {:.1f} s; highest {:.0f} at {:.1f} s",
+                                  stiffness_text(run->scene.contact.stiffness),
+                                  1e3 * sample_interval(run->result.drops.front()), force.rows.back()[0], (*peak)[1],
+                                  (*peak)[0]));
   }
   PlotValues values;
   values.number("lowest", lowest);

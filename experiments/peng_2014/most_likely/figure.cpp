@@ -97,11 +97,15 @@ FigureOutput draw(const FigureContext& outer) {
   DataTable implausibility{"most_likely_implausibility",
                            {"row [-]", "number [-]", "implausibility [-]", "counted [-]", "lost drops [-]"},
                            {}};
-  std::vector<std::string> titles;
+  std::vector<std::string> titles, rest_of_titles;  // a long title takes two lines
   for (const StudiedReading& one : study.readings) {
     if (titles.size() == shown_readings) break;
     const auto row = static_cast<double>(titles.size());
-    titles.push_back(study.choices.title_of(one.runs.reading));
+    const std::string title = study.choices.title_of(one.runs.reading);
+    constexpr std::size_t one_line = 44;
+    const std::size_t comma = title.size() > one_line ? title.find(", ", title.size() / 2) : title.npos;
+    titles.push_back(comma == title.npos ? title : title.substr(0, comma + 1));
+    rest_of_titles.push_back(comma == title.npos ? "" : title.substr(comma + 2));
     ranking.rows.push_back({row, one.log10_evidence.value_or(none), one.assessment.calibration.value_or(none),
                             one.assessment.test.value_or(none), -static_cast<double>(one.departures),
                             one.assessment.ruled_out ? 1.0 : 0.0});
@@ -124,7 +128,7 @@ FigureOutput draw(const FigureContext& outer) {
   output.data.push_back(write_csv(packed_print, outer.out));
   output.data.push_back(write_csv(velocity_print, outer.out));
 
-  std::vector<std::string> packed_tables, velocity_tables, curve_titles;
+  std::vector<std::string> packed_tables, velocity_tables;
   for (std::size_t k = 0; k < std::min(curves, study.readings.size()); ++k) {
     const StudiedReading& one = study.readings[k];
     const DataTable packed = curve(study, one, "pressure_drop", fmt::format("most_likely_packed_{}", k + 1)),
@@ -134,14 +138,13 @@ FigureOutput draw(const FigureContext& outer) {
       if (!table->rows.empty()) output.data.push_back(write_csv(*table, outer.out));
     packed_tables.push_back(packed.rows.empty() ? "" : packed.name);
     velocity_tables.push_back(velocity.rows.empty() ? "" : velocity.name);
-    curve_titles.push_back(study.choices.title_of(one.runs.reading));
   }
   PlotValues values;
   values.texts("reading", titles);
+  values.texts("rest_of_reading", rest_of_titles);
   values.texts("number", number_titles);
   values.files("packed_curve", packed_tables);
   values.files("velocity_curve", velocity_tables);
-  values.texts("curve_title", curve_titles);
   draw_plot_of_runs("most-likely", folder.plot(), values, {1600, 820}, context, keys);
   return output;
 }

@@ -1,6 +1,8 @@
 # What was most likely simulated. Reads most_likely_ranking.csv and most_likely_implausibility.csv (a row per reading),
 # most_likely_paper_line.csv, most_likely_paper_velocity.csv and the tables of the lists packed_curve and velocity_curve,
-# one item per reading of the list curve_title. Lists that figure.cpp sets: reading, number (their titles).
+# one item for each of the first readings. Lists that figure.cpp sets: reading and rest_of_reading (the first and, where
+# it is long, the second line of its title), number (their titles).
+title_of(k) = sprintf("%d: ", k).reading[k].(rest_of_reading[k] eq "" ? "" : "\n".rest_of_reading[k])
 lowest = -12
 inside(x) = x < lowest ? lowest : x
 # What a reading was not run for stands outside the axes.
@@ -24,9 +26,9 @@ set xrange [lowest:0.4]
 set xtics 4
 set yrange [reading_count - 0.4:-0.6]
 set ytics ('' 0)
-do for [k=1:reading_count] { set ytics add (reading[k] k - 1) font ',10' }
+do for [k=1:reading_count] { set ytics add (title_of(k) k - 1) font ',9' }
 set grid x y
-set key at screen 0.01, screen 1 - 4.0/height left top Left reverse horizontal font ',11' maxrows 1
+set key at screen 0.005, screen 1 - 2.0/height left top Left reverse horizontal font ',9' maxrows 2 samplen 0.6 width -2
 plot 'most_likely_ranking.csv' skip 1 using (known(2)):1 with points linecolor rgb ours pointtype 7 pointsize 1.1 \
     title 'all counted numbers', \
   '' skip 1 using (known(3)):1 with points linecolor rgb variant pointtype 5 pointsize 0.7 title 'packed bed', \
@@ -85,5 +87,5 @@ plot 'most_likely_paper_velocity.csv' skip 1 using 1:2 with points linecolor rgb
     title 'paper', \
   for [k=1:velocity_curve_count] (velocity_curve[k] eq '' ? '$empty_list' : velocity_curve[k]) skip 1 \
     using 1:2:(half_width(3)) with yerrorbars linecolor rgb curve_colour[k] pointtype curve_point[k] pointsize 0.8 \
-    title curve_title[k]
+    title sprintf('reading %d', k)
 unset multiplot
