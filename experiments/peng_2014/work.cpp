@@ -53,8 +53,9 @@ Work put_together() {
   work.figures = figures();
   work.shown_beside = "full";
   work.with_scene_stiffness = {"springs", "paper-steps"};
-  work.unchanged = {{"packed", "lattice-wet"}};
-  work.read_by_figures = {"drag-law", "causes", "springs", "paper-steps", "packed", "screening", "candidates"};
+  work.unchanged = {{"packed", default_reading}};
+  work.read_by_figures = {"drag-law", "causes",    "lattice",   "springs", "paper-steps",
+                          "packed",   "screening", "candidates"};
   work.stated_liquid_step = peng_2014().value("fluid_time_step");
   work.without_runs = measure_without_runs;
   work.name_causes = name_causes;

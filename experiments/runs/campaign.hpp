@@ -26,6 +26,7 @@ struct RunSpec {
   std::vector<std::string> differences = {};  ///< Profile::differences of that profile
   std::filesystem::path published = {};       ///< folder of the committed results of its work; empty: there are none
   std::optional<std::uint64_t> seed = {};     ///< of a replicate; empty: that of the scene
+  std::filesystem::path system_scene = {};    ///< scene of its system, where the run is of another one
 };
 
 /// Names what runs answer: "system/U_L" or "system/U_L/variant", U_L as velocity_text has it.

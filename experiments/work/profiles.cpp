@@ -12,6 +12,7 @@
 #include <utility>
 
 #include "experiments/numerics/plan/plan.hpp"
+#include "experiments/runs/measure.hpp"
 #include "experiments/runs/run_files.hpp"
 #include "experiments/work/more_runs.hpp"
 #include "solver/support/toml_table.hpp"
@@ -161,13 +162,15 @@ Profile load_profile(const Work& work, const std::string& name) {
   append(profile.differences, table.texts("differences"));
   const auto profile_overrides = table.texts("overrides");
   const auto asked = table.texts("planned_for");
+  const std::string of_profile = table.text("scene", "");
 
   std::set<std::string> keys;
   for (TomlTable& run : table.tables("runs")) {
     const auto system = run.text("system");
     TomlTable definition = definitions.entry("systems", system);
     const std::string of_definition = definition.text("scene");
-    const auto scene = work.folders.experiments / "scenes" / run.text("scene", of_definition);
+    const auto of_system_scene = work.folders.experiments / "scenes" / of_definition;
+    const auto scene = work.folders.experiments / "scenes" / run.text("scene", of_profile.empty() ? of_definition : of_profile);
     const auto of_system = definition.texts("overrides");
     const bool designed = run.has("design");
     const auto variants = variants_of_run(run, work, definitions);
@@ -189,6 +192,7 @@ Profile load_profile(const Work& work, const std::string& name) {
         for (const auto seed : seeds) {
           RunSpec spec{system, velocity, variant, scene, overrides, name, {}, work.folders.published, seed};
           append(spec.overrides, of_variant);
+          if (scene != of_system_scene) spec.system_scene = of_system_scene;
           if (seed) spec.overrides.push_back(fmt::format("seed={}", *seed));
           if (!keys.insert(run_key(spec)).second && designed) continue;  // another design of the profile has it too
           profile.runs.push_back(std::move(spec));
@@ -217,9 +221,13 @@ Profile with_shown_runs(const Work& work, Profile profile) {
 std::vector<FinishedRun> runs_with_scene_stiffness(const Work& work, const std::filesystem::path& out) {
   std::vector<FinishedRun> runs;
   const MoreRuns more = load_more_runs(work, out);
-  for (const std::string& profile : work.with_scene_stiffness)
+  std::vector<std::string> profiles = work.with_scene_stiffness;
+  if (!work.shown_beside.empty()) profiles.push_back(work.shown_beside);
+  for (const std::string& profile : profiles)
     for (FinishedRun& run : finished_runs(with_more_runs(load_profile(work, profile), more), out))
-      if (!run.stale) runs.push_back(std::move(run));
+      if (!run.stale && run.scene.contact.stiffness == load_scene(run.spec.scene).contact.stiffness)
+        runs.push_back(std::move(run));
+  take_out_other_models(runs, work.measuring);
   return runs;
 }
 

@@ -24,6 +24,7 @@ using readings::Comparison, readings::Study, readings::StudiedReading;
 
 const FigureFolder folder{"peng_2014/most_likely"};
 constexpr std::array profiles{"packed", "screening", "candidates"};
+constexpr const char* of_the_default = "full";
 constexpr std::size_t shown_readings = 14, curves = 3;
 constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
@@ -69,6 +70,12 @@ FigureOutput draw(const FigureContext& outer) {
     for (const RunSpec& spec : profile.runs) all.runs.push_back(spec);
     for (const std::string& sentence : profile.differences)
       if (std::ranges::find(all.differences, sentence) == all.differences.end()) all.differences.push_back(sentence);
+  }
+  // The runs of the default scene are a reading too; they come last, since they are the longest.
+  for (FinishedRun& run : finished_runs(load_profile(of_the_default), outer.results)) {
+    if (run.spec.system != system_name || !run.spec.variant.empty()) continue;
+    run.spec.variant = default_reading;
+    runs.push_back(std::move(run));
   }
   const FigureContext context{all, runs, outer.measurements, outer.out, outer.results};
   const auto keys = select_run_keys(all, [](const RunSpec&) { return true; });
