@@ -18,7 +18,7 @@ std::vector<Claim> load_claims();
 Profile load_profile(const std::string& name);
 
 /// What its default scene is called as a reading (readings.toml).
-inline constexpr const char* default_reading = "kt-0.01_by-gradient_springs-1e4";
+inline constexpr const char* default_reading = "kt-0.01_by-gradient_own-spread_springs-1e4";
 
 /// The runs with the paper's springs (profiles full, springs and paper-steps) in `out`/runs or committed, for the figures of
 /// contacts and single forces.

@@ -16,24 +16,29 @@ namespace slfb::single_changes {
 inline constexpr const char* system_name = "6in5W";
 inline constexpr std::array velocities{0.06, 0.10};
 
+/// The unchanged scene: 6in5W.toml, or 6in5W_lattice.toml, which was the default before.
+enum class Base { default_scene, lattice };
+
 /// One thing that the runs of a profile, or those of one variant of it, have otherwise than the unchanged scene.
 struct Change {
+  Base base;
   const char *profile, *variant, *title;
 };
 
-/// Numerics, liquid, forces, contacts, drag law.
+/// Those of the default scene first: contacts, start, values of the liquid, drag law. Then those of the other: numerics,
+/// liquid, forces, contacts, drag law.
 std::span<const Change> changes();
 
 /// Measurements of the runs with this change, and of the unchanged ones, under the same keys (without a variant). Empty
 /// where nothing is simulated. `results`: folder of runs/.
 Measurements measure(const Change& change, const std::filesystem::path& results);
-Measurements measure_unchanged(const std::filesystem::path& results);
+Measurements measure_unchanged(Base base, const std::filesystem::path& results);
 
 }  // namespace slfb::single_changes
 
 namespace slfb {
 
-/// Adds to the reason of each claim that is not reproduced which single changes would bring it inside the paper's band,
+/// Adds to the reason of each claim that is not reproduced which single changes of the default scene would bring it inside,
 /// with their runs as evidence; nothing where no run says so. `results`: folder of runs/.
 void name_causes(std::vector<Evaluation>& evaluations, const std::filesystem::path& results);
 

@@ -16,7 +16,8 @@ namespace {
 
 const FigureFolder folder{"peng_2014/causes"};
 
-using single_changes::Change, single_changes::changes, single_changes::system_name, single_changes::velocities;
+using single_changes::Base, single_changes::Change, single_changes::changes, single_changes::system_name,
+    single_changes::velocities;
 
 struct ShownQuantity {
   const char *name, *title;
@@ -62,7 +63,8 @@ FigureOutput draw(const FigureContext& outer) {
   const Profile profile = load_profile("causes");
   const auto runs = finished_runs(profile, outer.results);
   const Measurements own = measure_runs(runs, peng_2014_work().measuring),
-                     base = single_changes::measure_unchanged(outer.results);
+                     of_default = single_changes::measure_unchanged(Base::default_scene, outer.results),
+                     of_lattice = single_changes::measure_unchanged(Base::lattice, outer.results);
   const FigureContext context{profile, runs, own, outer.out, outer.results};
   const auto keys = needs(profile);
   FigureOutput output{"causes", {}, folder.caption(), run_notes(context, keys)};
@@ -74,6 +76,7 @@ FigureOutput draw(const FigureContext& outer) {
         table.columns.push_back(fmt::format("{} {} at {:.2f} m/s [-]", quantity.name, what, velocity));
   for (const Change& change : changes()) {
     const Measurements changed = single_changes::measure(change, outer.results);
+    const Measurements& base = change.base == Base::lattice ? of_lattice : of_default;
     std::vector<double> row{static_cast<double>(table.rows.size())};
     for (const double velocity : velocities)
       for (const ShownQuantity& quantity : quantities) {
@@ -92,10 +95,12 @@ FigureOutput draw(const FigureContext& outer) {
   std::vector<std::string> change_titles, quantity_titles;
   for (const Change& change : changes()) change_titles.emplace_back(change.title);
   for (const ShownQuantity& quantity : quantities) quantity_titles.emplace_back(quantity.title);
+  values.number("first_of_lattice",
+                static_cast<double>(std::ranges::find(changes(), Base::lattice, &Change::base) - changes().begin()));
   values.texts("change", change_titles);
   values.markups("quantity", quantity_titles);
   values.numbers("velocity", {velocities.begin(), velocities.end()});
-  draw_plot_of_runs("causes", folder.plot(), values, {1300, 560}, context, keys);
+  draw_plot_of_runs("causes", folder.plot(), values, {1300, 720}, context, keys);
   return output;
 }
 

@@ -1,6 +1,6 @@
-# What one change does. Reads causes.csv: a row per change; for each velocity and each quantity a ratio to the unchanged bed
-# and the half width of its interval. Lists that figure.cpp sets: change, quantity (their titles), end (of each panel's
-# axis) and velocity [m/s].
+# What one change does. Reads causes.csv: a row per change, those of the default scene above first_of_lattice; for each
+# velocity and each quantity a ratio to the unchanged bed and the half width of its interval. Lists that figure.cpp sets:
+# change, quantity (their titles), end (of each panel's axis) and velocity [m/s].
 ratio_column(v, q) = 2 + 2*((v - 1)*quantity_count + q - 1)
 # What is not simulated yet stands outside the axes, so that it keeps its place in the key.
 known(k) = valid(k) ? column(k) : -1
@@ -15,6 +15,7 @@ set yrange [change_count - 0.3:-0.7]
 set mxtics 2
 set grid x y
 set key at screen 0.01, screen 1 - 6.0/height left top Left reverse font ',11'
+set arrow 2 from graph 0, first first_of_lattice - 0.5 to graph 1, first first_of_lattice - 0.5 nohead linecolor rgb paper
 set arrow 1 from 1, graph 0 to 1, graph 1 nohead linecolor rgb paper
 left_edge = 0.2
 panel_width = (0.99 - left_edge)/quantity_count
