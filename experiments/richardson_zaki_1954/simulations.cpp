@@ -46,9 +46,10 @@ std::vector<std::string> differences(const std::string& how) {
 std::vector<Profile> profiles() {
   const std::string columns = "Columns in three dimensions; periodic boxes of ten diameters for those of more than 20.";
   const std::string slices = "Slices of six diameters without walls, in a one-dimensional liquid.";
-  Profile quick{"quick", differences(columns), {}};
-  Profile full{"full", differences(columns), {}};
-  Profile laws{"laws", differences(slices), {}};
+  const auto profile = [](const char* name, const std::string& how) {
+    return Profile{.name = name, .differences = differences(how), .runs = {}, .goes_on_from_published = true};
+  };
+  Profile quick = profile("quick", columns), full = profile("full", columns), laws = profile("laws", slices);
   for (const ExpansionLine& line : beds()) {
     for (const double voidage : quick_voidages) add(quick, run_of(line, voidage, Model::column, "", quick));
     for (const double voidage : league::line_voidages) {
