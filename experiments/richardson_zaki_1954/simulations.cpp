@@ -1,5 +1,6 @@
 #include "experiments/richardson_zaki_1954/simulations.hpp"
 
+#include <algorithm>
 #include <array>
 #include <string>
 
@@ -54,7 +55,9 @@ std::vector<Profile> profiles() {
     for (const double voidage : quick_voidages) add(quick, run_of(line, voidage, Model::column, "", quick));
     for (const double voidage : league::line_voidages) {
       add(quick, run_of(line, voidage, Model::slice, one_dimensional, quick));
-      add(full, run_of(line, voidage, Model::column, "", full));
+      // A run that quick has too is one run, published once.
+      const bool in_quick = std::ranges::find(quick_voidages, voidage) != quick_voidages.end();
+      add(full, run_of(line, voidage, Model::column, "", in_quick ? quick : full));
       for (const char* law : near_laws)
         add(laws, run_of(line, voidage, Model::slice, std::string(one_dimensional) + "_" + law, laws),
             {std::string("coupling.drag_law=") + law});
