@@ -149,59 +149,87 @@ std::string text_of(fluidisation::BedRegime regime) {
   throw std::logic_error("unknown regime");
 }
 
-struct Calibration {
-  std::size_t points = 0, in_one_sigma = 0, in_two_sigma = 0;
-  double root_mean_square = 0.0, worst = 0.0;
-};
-Calibration calibration_of(const std::vector<league::Blind>& blind) {
-  Calibration found;
-  for (const league::Blind& one : blind) {
-    const double error = one.predicted - one.measured;
-    ++found.points;
-    found.in_one_sigma += one.in_one_sigma ? 1 : 0;
-    found.in_two_sigma += one.in_two_sigma ? 1 : 0;
-    found.root_mean_square += error * error;
-    found.worst = std::max(found.worst, std::abs(error));
+std::string summary_of(const league::Calibration& found) {
+  return fmt::format(
+      "{} points: {:.0f} % within one sigma, {:.0f} % within two; voidage {:.3f} off (root mean square), at most "
+      "{:.3f}",
+      found.points, 100.0 * found.in_one_sigma, 100.0 * found.in_two_sigma, found.root_mean_square, found.worst);
+}
+
+ordered_json json_of(const league::Calibration& found) {
+  return {{"points", found.points},
+          {"in_one_sigma", found.in_one_sigma},
+          {"in_two_sigma", found.in_two_sigma},
+          {"root_mean_square", found.root_mean_square},
+          {"worst", found.worst}};
+}
+
+ordered_json json_of(const std::vector<league::Blind>& blind) {
+  ordered_json json = json_of(league::calibration_of(blind));
+  json["beds"] = ordered_json::array();
+  for (const league::Blind& one : blind)
+    json["beds"].push_back({{"bed", one.line},
+                            {"law", one.law},
+                            {"measured", one.measured},
+                            {"predicted", one.predicted},
+                            {"sigma", one.sigma},
+                            {"in_one_sigma", one.in_one_sigma},
+                            {"in_two_sigma", one.in_two_sigma}});
+  return json;
+}
+
+/// One line for each bed: the errors at the voidages of a line, and the largest sigma.
+std::string errors_text(const std::vector<league::Blind>& blind) {
+  std::string text = fmt::format("    {:<24}", "predicted less measured, at");
+  for (const double voidage : league::line_voidages) text += fmt::format("{:>8.1f}", voidage);
+  text += fmt::format("{:>9}  law chosen without it\n", "sigma");
+  constexpr std::size_t points = std::size(league::line_voidages);
+  for (std::size_t first = 0; first < blind.size(); first += points) {
+    text += fmt::format("    {:<27}", blind[first].line);
+    double sigma = 0.0;
+    for (std::size_t i = first; i < first + points; ++i) {
+      text += fmt::format("{:>+8.3f}", blind[i].error());
+      sigma = std::max(sigma, blind[i].sigma);
+    }
+    text += fmt::format("{:>9.3f}  {}\n", sigma, blind[first].law);
   }
-  found.root_mean_square = std::sqrt(found.root_mean_square / static_cast<double>(found.points));
-  return found;
+  return text;
 }
 
 void show_calibration(bool as_json) {
+  constexpr std::size_t shown_formulas = 6;
   const auto laws = league::contenders();
   const auto& lines = league::measured().lines;
+  const std::string chosen = league::recommended(laws, lines).name();
   const auto left_out = league::leave_one_group_out(laws, lines), settling = league::predict_settling(laws, lines);
-  ordered_json json{{"law", league::recommended(laws, lines).name()}};
-  const auto show = [&](const std::string& id, const std::string& title, const std::vector<league::Blind>& blind) {
-    const Calibration found = calibration_of(blind);
-    const auto share = [&](std::size_t count) {
-      return 100.0 * static_cast<double>(count) / static_cast<double>(found.points);
-    };
-    json[id] = {{"points", found.points},
-                {"in_one_sigma", share(found.in_one_sigma) / 100.0},
-                {"in_two_sigma", share(found.in_two_sigma) / 100.0},
-                {"root_mean_square", found.root_mean_square},
-                {"worst", found.worst},
-                {"beds", ordered_json::array()}};
-    if (!as_json)
-      fmt::print(
-          "{}\n  {} points: {:.0f} % within one sigma, {:.0f} % within two; voidage {:.3f} off (root mean square), "
-          "at most {:.3f}\n",
-          title, found.points, share(found.in_one_sigma), share(found.in_two_sigma), found.root_mean_square,
-          found.worst);
-    for (const league::Blind& one : blind)
-      json[id]["beds"].push_back(
-          {{"bed", one.line}, {"measured", one.measured}, {"predicted", one.predicted}, {"sigma", one.sigma}});
-  };
-  show("left_out", "Fluidised beds, each kind of spheres and liquid predicted from the others:", left_out);
-  show("settling", "Suspensions that settle, predicted from the fluidised beds:", settling);
-  if (as_json)
+  const auto formulas = league::formula_choices(lines, shown_formulas);
+  if (as_json) {
+    ordered_json json{{"law", chosen}, {"left_out", json_of(left_out)}, {"settling", json_of(settling)}};
+    for (const league::FormulaChoice& one : formulas) {
+      ordered_json choice = json_of(one.left_out);
+      choice["parts"] = one.parts.empty() ? ordered_json(nullptr) : ordered_json(one.parts);
+      json["formulas"].push_back(std::move(choice));
+    }
     fmt::print("{}\n", json.dump(2));
-  else
-    fmt::print(
-        "The law chosen from all: {}. Its authors fitted it to these experiments; leaving out a bed here cannot\n"
-        "undo that.\n",
-        league::recommended(laws, lines).name());
+    return;
+  }
+  fmt::print("Fluidised beds, each kind of spheres and liquid predicted from the others:\n  {}\n{}",
+             summary_of(league::calibration_of(left_out)), errors_text(left_out));
+  fmt::print("Suspensions that settle, predicted from the fluidised beds:\n  {}\n",
+             summary_of(league::calibration_of(settling)));
+  fmt::print(
+      "The law chosen from all: {}. Its authors fitted it to these experiments; leaving out a bed here cannot\n"
+      "undo that.\n\n",
+      chosen);
+  fmt::print(
+      "The same beds left out, with other laws for one sphere, for n and for the wall; the first are the nearest to "
+      "all\n"
+      "beds, the last line has the parts chosen anew for each bed left out:\n    {:<64}{:>8}{:>8}{:>7}{:>7}\n",
+      "one sphere, n, wall", "r.m.s.", "worst", "in 1", "in 2");
+  for (const league::FormulaChoice& one : formulas)
+    fmt::print("    {:<64}{:>8.3f}{:>8.3f}{:>5.0f} %{:>5.0f} %\n", one.parts.empty() ? "chosen anew" : one.parts,
+               one.left_out.root_mean_square, one.left_out.worst, 100.0 * one.left_out.in_one_sigma,
+               100.0 * one.left_out.in_two_sigma);
 }
 
 void predict(const PredictOptions& options) {

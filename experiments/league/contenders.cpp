@@ -10,6 +10,7 @@
 
 #include "correlations/drag/drag_laws.hpp"
 #include "correlations/drag/single_sphere/brown_lawler_2003.hpp"
+#include "correlations/drag/single_sphere/single_sphere_laws.hpp"
 #include "correlations/fluidisation/expansion_exponent/expansion_conditions.hpp"
 #include "correlations/fluidisation/fluidisation_laws.hpp"
 #include "correlations/fluidisation/terminal_velocity.hpp"
@@ -22,11 +23,13 @@ double wall_factor(const Bed& bed) {
   return bed.motion == BedMotion::fluidised ? fluidisation::RichardsonZakiWall1954{}(bed.diameter_ratio()) : 1.0;
 }
 
-/// U = u_t ε^n.
-template <class Exponent>
-double expansion_velocity(const Exponent& exponent, const Bed& bed, double voidage) {
-  const fluidisation::ExpansionConditions conditions{terminal_reynolds(bed), bed.archimedes(), bed.diameter_ratio()};
-  return fluidisation::expansion_velocity(terminal_velocity(bed), exponent(conditions), voidage);
+/// U = u_t ε^n, u_t by a law for one sphere.
+template <class OneSphere, class Exponent>
+double expansion_velocity(const OneSphere& one_sphere, const Exponent& exponent, const Bed& bed, double voidage) {
+  const double terminal = fluidisation::terminal_velocity(one_sphere, bed.sphere, bed.liquid);
+  const fluidisation::ExpansionConditions conditions{reynolds_number(bed.liquid, bed.sphere.diameter, terminal),
+                                                     bed.archimedes(), bed.diameter_ratio()};
+  return fluidisation::expansion_velocity(terminal, exponent(conditions), voidage);
 }
 
 void add(std::vector<Contender>& list, std::string_view law, ContenderKind kind, const Contender::Velocity& velocity) {
@@ -85,8 +88,28 @@ std::vector<Contender> contenders() {
     });
   });
   for_each_law<fluidisation::ExpansionExponentLaws>([&](const auto& exponent) {
-    add(list, exponent.info.name, ContenderKind::expansion_formula,
-        [exponent](const Bed& bed, double voidage) { return expansion_velocity(exponent, bed, voidage); });
+    add(list, exponent.info.name, ContenderKind::expansion_formula, [exponent](const Bed& bed, double voidage) {
+      return expansion_velocity(drag::single_sphere::BrownLawler2003{}, exponent, bed, voidage);
+    });
+  });
+  return list;
+}
+
+std::vector<Contender> formula_contenders() {
+  std::vector<Contender> list;
+  for_each_law<drag::single_sphere::SingleSphereLaws>([&](const auto& one_sphere) {
+    for_each_law<fluidisation::ExpansionExponentLaws>([&](const auto& exponent) {
+      const auto add_with = [&](std::string_view wall_name, const auto& wall) {
+        list.emplace_back(fmt::format("{}, {}, {}", one_sphere.info.name, exponent.info.name, wall_name),
+                          ContenderKind::expansion_formula, false,
+                          [one_sphere, exponent, wall](const Bed& bed, double voidage) {
+                            const double factor = bed.motion == BedMotion::fluidised ? wall(bed.diameter_ratio()) : 1.0;
+                            return factor * expansion_velocity(one_sphere, exponent, bed, voidage);
+                          });
+      };
+      add_with("no wall", [](double) { return 1.0; });
+      for_each_law<fluidisation::WallCorrectionLaws>([&](const auto& wall) { add_with(wall.info.name, wall); });
+    });
   });
   return list;
 }

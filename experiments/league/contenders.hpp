@@ -69,6 +69,11 @@ std::vector<Contender> contenders_of(const drag::DragLawKernels& law);
 /// Every drag law and every law for the exponent of the suite, each with and without the wall's part.
 std::vector<Contender> contenders();
 
+/// U = u_t f(d/D) ε^n with every law for one sphere (u_t), every law for n, and every law for the wall (f) or none:
+/// what the formula of contenders(), u_t by Brown & Lawler (2003) and f of Richardson & Zaki (1954), could have been.
+/// Names are "LAW OF ONE SPHERE, LAW FOR n, LAW OF THE WALL" or "…, no wall". A suspension that settles has no f.
+std::vector<Contender> formula_contenders();
+
 /// The contender of that name. \throws std::invalid_argument that names close ones
 const Contender& find_contender(const std::vector<Contender>& contenders, const std::string& name);
 

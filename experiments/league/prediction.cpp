@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <optional>
 #include <set>
 #include <stdexcept>
 
@@ -22,6 +23,15 @@ double distance(const Bed& bed, const ExpansionLine& line) {
 
 Statistic statistic_of_law(const Contender& law, const std::vector<ExpansionLine>& lines, double measured_spread) {
   return statistic_of(compare_lines(law, lines, any_voidage), measured_spread);
+}
+
+/// Root mean square of ln(law / measured) over all fluidised lines; empty where the law lacks an answer.
+std::optional<double> error_of(const Contender& law, const std::vector<ExpansionLine>& lines) {
+  const auto points = std::size(line_voidages) *
+                      static_cast<std::size_t>(std::ranges::count(lines, BedMotion::fluidised, &ExpansionLine::motion));
+  const auto comparisons = compare_lines(law, lines, any_voidage);
+  if (comparisons.size() < points) return std::nullopt;
+  return statistic_of(comparisons, 0.0).root_mean_square;
 }
 
 /// Voidage with the velocity off by each share of the spread.
@@ -53,7 +63,8 @@ void add_points(std::vector<Blind>& list, const Contender& law, const Statistic&
     const auto inside = [&](std::pair<double, double> range) {
       return voidage >= range.first && voidage <= range.second;
     };
-    list.push_back({line.name, voidage, found.value, found.sigma(), inside(found.one_sigma), inside(found.two_sigma)});
+    list.push_back(
+        {line.name, law.name(), voidage, found.value, found.sigma(), inside(found.one_sigma), inside(found.two_sigma)});
   }
 }
 
@@ -89,7 +100,7 @@ double voidage_by_line(const ExpansionLine& line, const Bed& bed, double superfi
 std::vector<Evidence> evidence_for(const Bed& bed, const std::vector<Contender>& laws,
                                    const std::vector<ExpansionLine>& lines) {
   const auto near = near_lines(bed, lines);
-  const double spread = line_spread(lines);
+  const double spread = line_spread(lines, BedMotion::fluidised);
   const std::size_t points = near.size() * std::size(line_voidages);
   std::vector<Evidence> list;
   for (const Contender& law : laws) {
@@ -107,22 +118,18 @@ std::vector<Evidence> evidence_for(const Bed& bed, const std::vector<Contender>&
 
 Predicted predict_voidage(const Contender& law, const Bed& bed, double superficial_velocity, double packed_voidage,
                           const std::vector<ExpansionLine>& lines, double tier_error) {
-  return predict(law, statistic_of_law(law, lines, line_spread(lines)), bed, superficial_velocity, packed_voidage,
-                 tier_error);
+  return predict(law, statistic_of_law(law, lines, line_spread(lines, BedMotion::fluidised)), bed, superficial_velocity,
+                 packed_voidage, tier_error);
 }
 
 const Contender& recommended(const std::vector<Contender>& laws, const std::vector<ExpansionLine>& lines) {
-  const auto points = std::size(line_voidages) *
-                      static_cast<std::size_t>(std::ranges::count(lines, BedMotion::fluidised, &ExpansionLine::motion));
   const Contender* best = nullptr;
   double smallest = 0.0;
   for (const Contender& law : laws) {
-    const auto comparisons = compare_lines(law, lines, any_voidage);
-    if (comparisons.size() < points) continue;
-    const double error = statistic_of(comparisons, 0.0).root_mean_square;
-    if (best == nullptr || error < smallest) {
+    const auto error = error_of(law, lines);
+    if (error && (best == nullptr || *error < smallest)) {
       best = &law;
-      smallest = error;
+      smallest = *error;
     }
   }
   if (best == nullptr) throw std::invalid_argument("no law has an answer for every measured bed");
@@ -145,6 +152,35 @@ std::vector<Blind> leave_one_group_out(const std::vector<Contender>& laws, const
         add_points(list, law, statistic, line);
   }
   return list;
+}
+
+Calibration calibration_of(const std::vector<Blind>& blind) {
+  if (blind.empty()) throw std::invalid_argument("calibration_of: no predictions");
+  const auto points = static_cast<double>(blind.size());
+  Calibration found;
+  found.points = blind.size();
+  double squares = 0.0;
+  for (const Blind& one : blind) {
+    found.in_one_sigma += one.in_one_sigma ? 1.0 / points : 0.0;
+    found.in_two_sigma += one.in_two_sigma ? 1.0 / points : 0.0;
+    squares += one.error() * one.error();
+    found.worst = std::max(found.worst, std::abs(one.error()));
+  }
+  found.root_mean_square = std::sqrt(squares / points);
+  return found;
+}
+
+std::vector<FormulaChoice> formula_choices(const std::vector<ExpansionLine>& lines, std::size_t shown) {
+  const std::vector<Contender> formulas = formula_contenders();
+  std::vector<std::pair<double, const Contender*>> order;
+  for (const Contender& formula : formulas)
+    if (const auto error = error_of(formula, lines)) order.emplace_back(*error, &formula);
+  std::ranges::stable_sort(order, {}, [](const auto& one) { return one.first; });
+  std::vector<FormulaChoice> choices;
+  for (std::size_t i = 0; i < std::min(shown, order.size()); ++i)
+    choices.push_back({order[i].second->name(), calibration_of(leave_one_group_out({*order[i].second}, lines))});
+  choices.push_back({"", calibration_of(leave_one_group_out(formulas, lines))});
+  return choices;
 }
 
 std::vector<Blind> predict_settling(const std::vector<Contender>& laws, const std::vector<ExpansionLine>& lines) {

@@ -49,12 +49,33 @@ const Contender& recommended(const std::vector<Contender>& laws, const std::vect
 /// One prediction of a measured point that the statistics had not seen.
 struct Blind {
   std::string line;
+  std::string law;                    ///< chosen without it
   double measured, predicted, sigma;  ///< voidage [-]
   bool in_one_sigma, in_two_sigma;
+  [[nodiscard]] double error() const { return predicted - measured; }  ///< of the voidage [-]
 };
+
+/// How far predictions were off, and how often inside what they said.
+struct Calibration {
+  std::size_t points = 0;
+  double in_one_sigma = 0.0, in_two_sigma = 0.0;  ///< shares [-]
+  double root_mean_square = 0.0, worst = 0.0;     ///< of the voidage's error [-]
+};
+/// \throws std::invalid_argument without predictions
+Calibration calibration_of(const std::vector<Blind>& blind);
 
 /// Each group of fluidised lines predicted from the others: the law is chosen and its spread found without it.
 std::vector<Blind> leave_one_group_out(const std::vector<Contender>& laws, const std::vector<ExpansionLine>& lines);
+
+/// A formula whose parts were chosen for all measured fluidised beds, held against these beds.
+struct FormulaChoice {
+  std::string parts;     ///< name in formula_contenders(); "" where they are chosen anew for each group left out
+  Calibration left_out;  ///< each group predicted with bias and spread from the others
+};
+
+/// Does another law for one sphere, for n or for the wall predict better? The formulas with the smallest root mean
+/// square over all lines, in that order, and at the end the parts chosen anew for each group left out.
+std::vector<FormulaChoice> formula_choices(const std::vector<ExpansionLine>& lines, std::size_t shown);
 
 /// Suspensions that settle, predicted from the fluidised beds alone.
 std::vector<Blind> predict_settling(const std::vector<Contender>& laws, const std::vector<ExpansionLine>& lines);

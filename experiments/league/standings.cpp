@@ -55,7 +55,7 @@ void sort(std::vector<Standing>& standings) {
 /// Suspensions that settle, extrapolated to one sphere, against the laws for one sphere.
 Table single_spheres(const std::vector<ExpansionLine>& lines, double measured_spread) {
   Table table{{"one-sphere", "one sphere: the lines of suspensions that settle, extrapolated to voidage 1",
-               "one sphere", false, [](const ExpansionLine& line, double) { return !fluidised(line); }},
+               "one sphere", BedMotion::settling, [](const ExpansionLine& line, double) { return !fluidised(line); }},
               {}};
   for_each_law<drag::single_sphere::SingleSphereLaws>([&](const auto& law) {
     std::vector<Comparison> comparisons;
@@ -78,7 +78,7 @@ void for_each_drag_law(const std::vector<drag::DragLawKernels>& user, Use use) {
 }
 
 Table packed_beds(const std::vector<drag::DragLawKernels>& user, const std::vector<PackedBedPoint>& points) {
-  Table table{{"packed", "packed beds, Re/(1 − ε) from 0.5 to 3000", "packed bed", false,
+  Table table{{"packed", "packed beds, Re/(1 − ε) from 0.5 to 3000", "packed bed", BedMotion::fluidised,
                [](const ExpansionLine&, double) { return false; }},
               {}};
   if (points.empty()) return table;
@@ -108,11 +108,12 @@ const Measured& measured() {
   return all;
 }
 
-double line_spread(const std::vector<ExpansionLine>& lines) {
+double line_spread(const std::vector<ExpansionLine>& lines, BedMotion motion) {
   const auto all = contenders();
   const Contender& tube = find_contender(all, std::string(fluidisation::RichardsonZaki1954::info.name) + " + wall");
   std::map<std::string, std::vector<const ExpansionLine*>> groups;
-  for (const ExpansionLine& line : lines) groups[line.group()].push_back(&line);
+  for (const ExpansionLine& line : lines)
+    if (line.motion == motion) groups[line.group()].push_back(&line);
   double squares = 0.0, degrees = 0.0;
   for (const auto& [name, group] : groups) {
     if (group.size() < 2) continue;
@@ -154,24 +155,25 @@ double packed_spread(const std::vector<PackedBedPoint>& points) {
 
 const std::vector<Regime>& regimes() {
   static const std::vector<Regime> list{
-      {"fluidised", "fluidised beds", "bed", true, [](const ExpansionLine& line, double) { return fluidised(line); }},
-      {"fluidised-slow", "fluidised beds, terminal Re from 1 to 500", "bed", true,
+      {"fluidised", "fluidised beds", "bed", BedMotion::fluidised,
+       [](const ExpansionLine& line, double) { return fluidised(line); }},
+      {"fluidised-slow", "fluidised beds, terminal Re from 1 to 500", "bed", BedMotion::fluidised,
        [](const ExpansionLine& line, double) {
          return fluidised(line) && reynolds_of(line) >= slow_below && reynolds_of(line) <= fast_above;
        }},
-      {"fluidised-fast", "fluidised beds, terminal Re above 500", "bed", true,
+      {"fluidised-fast", "fluidised beds, terminal Re above 500", "bed", BedMotion::fluidised,
        [](const ExpansionLine& line, double) { return fluidised(line) && reynolds_of(line) > fast_above; }},
-      {"fluidised-dense", "fluidised beds, voidage 0.5 and 0.6", "bed", true,
+      {"fluidised-dense", "fluidised beds, voidage 0.5 and 0.6", "bed", BedMotion::fluidised,
        [](const ExpansionLine& line, double voidage) { return fluidised(line) && voidage <= dense_up_to; }},
-      {"fluidised-dilute", "fluidised beds, voidage 0.7 to 0.9", "bed", true,
+      {"fluidised-dilute", "fluidised beds, voidage 0.7 to 0.9", "bed", BedMotion::fluidised,
        [](const ExpansionLine& line, double voidage) { return fluidised(line) && voidage > dense_up_to; }},
-      {"fluidised-wide", "fluidised beds in tubes of more than 25 diameters", "bed", true,
+      {"fluidised-wide", "fluidised beds in tubes of more than 25 diameters", "bed", BedMotion::fluidised,
        [](const ExpansionLine& line, double) { return fluidised(line) && line.diameter_ratio() < narrow_from; }},
-      {"fluidised-narrow", "fluidised beds in tubes of less than 25 diameters", "bed", true,
+      {"fluidised-narrow", "fluidised beds in tubes of less than 25 diameters", "bed", BedMotion::fluidised,
        [](const ExpansionLine& line, double) { return fluidised(line) && line.diameter_ratio() >= narrow_from; }},
-      {"settling-creeping", "suspensions that settle, terminal Re below 1", "bed", false,
+      {"settling-creeping", "suspensions that settle, terminal Re below 1", "bed", BedMotion::settling,
        [](const ExpansionLine& line, double) { return !fluidised(line) && reynolds_of(line) < slow_below; }},
-      {"settling-slow", "suspensions that settle, terminal Re from 1 to 500", "bed", false,
+      {"settling-slow", "suspensions that settle, terminal Re from 1 to 500", "bed", BedMotion::settling,
        [](const ExpansionLine& line, double) { return !fluidised(line) && reynolds_of(line) >= slow_below; }},
   };
   return list;
@@ -207,18 +209,20 @@ std::vector<Table> league_tables(const std::vector<drag::DragLawKernels>& user) 
   std::vector<Contender> laws = contenders();
   for (const drag::DragLawKernels& law : user)
     for (Contender& contender : contenders_of(law)) laws.push_back(std::move(contender));
-  const double spread = line_spread(all.lines);
+  const double of_beds = line_spread(all.lines, BedMotion::fluidised);
+  const double of_suspensions = line_spread(all.lines, BedMotion::settling);
   std::vector<Table> tables;
   for (const Regime& regime : regimes()) {
     Table table{regime, {}};
+    const bool of_bed = regime.motion == BedMotion::fluidised;
     for (const Contender& contender : laws)
-      if (regime.has_walls || !contender.with_wall())
-        table.standings.push_back(stand(contender, all.lines, regime, spread));
+      if (of_bed || !contender.with_wall())
+        table.standings.push_back(stand(contender, all.lines, regime, of_bed ? of_beds : of_suspensions));
     sort(table.standings);
     tables.push_back(std::move(table));
   }
   tables.push_back(packed_beds(user, all.packed));
-  tables.push_back(single_spheres(all.lines, spread));
+  tables.push_back(single_spheres(all.lines, of_suspensions));
   return tables;
 }
 

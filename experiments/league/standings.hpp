@@ -25,11 +25,11 @@ inline constexpr double line_voidages[] = {0.5, 0.6, 0.7, 0.8, 0.9};
 /// read as two sigmas on either side.
 inline constexpr double densest_packed_voidage = 0.36, packed_voidage_mean = 0.40, packed_voidage_sigma = 0.02;
 
-/// σ_E of a velocity on a measured line [-]: how far lines of the same spheres in the same liquid and different tubes
-/// lie apart at one voidage, once the part that Richardson & Zaki (1954) ascribe to the tube is taken off; and the
-/// rounding of the print. What spheres and liquid are known to is in no such difference: it stays in the spread of the
-/// laws.
-double line_spread(const std::vector<ExpansionLine>& lines);
+/// σ_E of a velocity on a measured line of beds that move so [-]: how far lines of the same spheres in the same liquid
+/// and different tubes lie apart at one voidage, once the part that Richardson & Zaki (1954) ascribe to the tube is
+/// taken off; at least the rounding of the print. What spheres and liquid are known to is in no such difference: it
+/// stays in the spread of the laws.
+double line_spread(const std::vector<ExpansionLine>& lines, BedMotion motion);
 
 /// σ_E of a packed bed's friction factor [-]: from differences of neighbours in Re of one series (von Neumann 1941),
 /// which no smooth law can follow.
@@ -40,7 +40,7 @@ struct Regime {
   std::string id;     ///< "fluidised-dilute"
   std::string title;  ///< in words, with its bounds
   std::string kind;   ///< what is compared: "bed", "packed bed", "one sphere"
-  bool has_walls;     ///< whether the wall's part of a law says something of it
+  BedMotion motion;   ///< of its lines: the wall's part of a law says something of fluidised beds alone
   /// Which points of lines belong to it; unused for packed beds and single spheres.
   std::function<bool(const ExpansionLine&, double voidage)> has;
 };

@@ -12,8 +12,8 @@
 namespace slfb::richardson_zaki {
 namespace {
 
-constexpr double loosest_packed =
-    0.36;  // a law that does not lift the bed at a measured velocity says this voidage [-]
+// Of a bed that a law does not lift at a measured velocity [-].
+constexpr double not_lifted_voidage = league::densest_packed_voidage;
 constexpr const char* tables = "Tables III and IV";
 
 std::string voidage_text(double voidage) { return fmt::format("{:.2f}", voidage); }
@@ -171,7 +171,7 @@ Measurements measure_laws() {
       for (const double voidage : league::line_voidages) {
         const double velocity = run_velocity(line, voidage);
         measured[measure_key("homogeneous_voidage", law.name(), velocity, line.name)] = {
-            law.voidage(bed, velocity, loosest_packed).voidage, 0.0, 1, "-", "law"};
+            law.voidage(bed, velocity, not_lifted_voidage).voidage, 0.0, 1, "-", "law"};
         if (const double own = law.velocity(bed, voidage); own > 0.0) points.emplace_back(voidage, own);
       }
       if (const auto slope = slope_of(points))

@@ -1,5 +1,6 @@
 #include "experiments/richardson_zaki_1954/simulations.hpp"
 
+#include <algorithm>
 #include <array>
 #include <string>
 
@@ -46,14 +47,17 @@ std::vector<std::string> differences(const std::string& how) {
 std::vector<Profile> profiles() {
   const std::string columns = "Columns in three dimensions; periodic boxes of ten diameters for those of more than 20.";
   const std::string slices = "Slices of six diameters without walls, in a one-dimensional liquid.";
-  Profile quick{"quick", differences(columns), {}};
-  Profile full{"full", differences(columns), {}};
-  Profile laws{"laws", differences(slices), {}};
+  const auto profile = [](const char* name, const std::string& how) {
+    return Profile{.name = name, .differences = differences(how), .runs = {}, .goes_on_from_published = true};
+  };
+  Profile quick = profile("quick", columns), full = profile("full", columns), laws = profile("laws", slices);
   for (const ExpansionLine& line : beds()) {
     for (const double voidage : quick_voidages) add(quick, run_of(line, voidage, Model::column, "", quick));
     for (const double voidage : league::line_voidages) {
       add(quick, run_of(line, voidage, Model::slice, one_dimensional, quick));
-      add(full, run_of(line, voidage, Model::column, "", full));
+      // A run that quick has too is one run, published once.
+      const bool in_quick = std::ranges::find(quick_voidages, voidage) != quick_voidages.end();
+      add(full, run_of(line, voidage, Model::column, "", in_quick ? quick : full));
       for (const char* law : near_laws)
         add(laws, run_of(line, voidage, Model::slice, std::string(one_dimensional) + "_" + law, laws),
             {std::string("coupling.drag_law=") + law});

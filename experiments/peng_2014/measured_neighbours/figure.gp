@@ -7,7 +7,7 @@ set bmargin at screen base + 60.0/height
 set lmargin at screen 0.075
 set rmargin at screen 0.5
 set xrange [0.045:0.24]
-set yrange [0.4:0.95]
+set yrange [0.35:0.95]
 set xlabel 'U_L [m/s]'
 set ylabel 'voidage [-]'
 set key at graph 0.98, graph 0.03 right bottom Left reverse font ',11'

@@ -1,7 +1,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 
 #include "experiments/figures/figure_folder.hpp"
 #include "experiments/figures/figure_support.hpp"
@@ -43,9 +42,8 @@ FigureOutput draw(const FigureContext& context) {
         {}};
     for (const ExpansionLine& line : beds()) {
       const Errors errors = errors_of(context, line, laws[i]);
-      // A little apart, so that bars of one bed do not hide one another.
-      const double reynolds = league::terminal_reynolds(league::bed_of(line)) * std::pow(1.06, static_cast<double>(i));
-      table.rows.push_back({reynolds, errors.mean, errors.smallest, errors.largest});
+      table.rows.push_back(
+          {league::terminal_reynolds(league::bed_of(line)), errors.mean, errors.smallest, errors.largest});
     }
     series.push_back({std::move(table), laws[i], static_cast<int>(i) + 2});
   }

@@ -19,7 +19,7 @@ do for [k=1:name_count] {
   set bmargin at screen 1 - ((row_k + 1)*panel_height - 24.0)/height
   set title name[k] font ',12' offset 0,-0.7
   set xlabel (row_k == rows - 1 || k + columns > name_count) ? 'U [m/s]' : '' font ',12'
-  set ylabel column_k == 0 ? 'voidage [-]' : '' font ',12'
+  set ylabel column_k == 0 ? 'voidage [-]' : '' font ',12' offset 2.2,0
   set xrange [low[k]:high[k]]
   plot laws[k] skip 1 using 2:1 with lines linestyle 11, \
     laws[k] skip 1 using 3:1 with lines linestyle 12, \
