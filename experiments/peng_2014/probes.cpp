@@ -40,7 +40,7 @@ double restitution(const Scene& scene) {
 }
 
 double sliding_friction(const Scene& scene) {
-  constexpr double speed = 0.2, seconds = 0.01;
+  constexpr double speed = 0.5, seconds = 0.01;  // it would roll after 2 speed/(7 µ g) = 0.05 s
   const double r = 0.5 * scene.species.front().diameter;
   dem::Engine engine = make_engine(scene.contact, {{dem::Wall::Kind::plane, 2, 1.0, 0.0}}, unbounded, 1);
   add_bed_sphere(engine, scene, {0.0, 0.0, r});

@@ -109,7 +109,7 @@ TEST(Profiles, UnknownNameListsTheKnownOnes) {
     EXPECT_NE(
         std::string(error.what())
             .find(
-                "known: \"candidates\", \"causes\", \"drag-law\", \"full\", \"literal\", \"packed\", \"paper-steps\", "
+                "known: \"candidates\", \"causes\", \"drag-law\", \"full\", \"lattice\", \"literal\", \"packed\", \"paper-steps\", "
                 "\"quick\", \"screening\", \"seconds\", \"springs\""),
         std::string::npos)
         << error.what();
