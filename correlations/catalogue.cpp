@@ -384,6 +384,7 @@ const CatalogueEntry& find_law(std::string_view text) {
       one.evaluate = entry.with(call);
       const auto added = varied.emplace(name, std::move(one)).first;
       added->second.info.name = added->first;
+      if (entry.info.variant_of.empty()) added->second.info.variant_of = entry.info.name;
       return added->second;
     }
     known += (known.empty() ? "" : ", ") + std::string(entry.info.name);

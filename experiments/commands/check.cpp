@@ -1,3 +1,4 @@
+#include <fmt/chrono.h>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <spdlog/spdlog.h>
@@ -5,6 +6,7 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cmath>
+#include <ctime>
 #include <filesystem>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -20,8 +22,10 @@
 #include "experiments/work/judge.hpp"
 #include "experiments/work/measured_systems.hpp"
 #include "solver/support/close_names.hpp"
+#include "solver/support/commit.hpp"
 #include "solver/support/files.hpp"
 #include "solver/support/folders.hpp"
+#include "solver/support/processor.hpp"
 
 namespace slfb {
 namespace {
@@ -41,7 +45,8 @@ A verdict says whether the paper is reproduced; a gate says whether our own acce
 status is 0 when every gate of the chosen claims holds, 1 when one is broken, when results of --measured decide no claim,
 or when a file cannot be read or written, 2 for a wrong command line. Name claims before --json, which takes what follows it as its file. Nothing is simulated.
 
-JSON: {"claims": [CLAIM, ...]}; a CLAIM has
+JSON: {"made_by": {"version", "commit", "date", "machine"}, "claims": [CLAIM, ...]}; version and commit are empty for
+results of --measured. `slfb history` keeps what versions said. A CLAIM has
   id, figure, quantity, unit   texts; "-" is the unit of ratios
   paper                        number, or a text ("at most 0.5", "increasing")
   ours, deviation              number, or null when not measured; deviation from the paper's value or the bound that
@@ -147,6 +152,17 @@ void accept(const Work& work, const Options& options) {
              options.baseline.string());
 }
 
+/// What was found, and by what.
+nlohmann::ordered_json checked_json(const std::vector<Evaluation>& evaluations, bool of_others) {
+  nlohmann::ordered_json json;
+  json["made_by"] = {{"version", of_others ? "" : SLFB_VERSION},
+                     {"commit", of_others ? "" : suite_commit()},
+                     {"date", fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::time(nullptr)))},
+                     {"machine", processor_name()}};
+  json.update(claims_json(evaluations));
+  return json;
+}
+
 /// Returns the exit status: 1 when a gate is broken, or when results of others were held against nothing.
 int check(const Work& work, const Options& options, bool json) {
   for (const std::filesystem::path& file : {std::filesystem::path(options.json), options.junit})
@@ -158,11 +174,12 @@ int check(const Work& work, const Options& options, bool json) {
       options.measured.empty() ? evaluate_own(work, claims, options) : evaluate_results(work, claims, all, options);
   const bool json_to_stdout = json && options.json == "-";
   if (json_to_stdout) {
-    fmt::print("{}\n", claims_json(evaluations).dump(2));
+    fmt::print("{}\n", checked_json(evaluations, !options.measured.empty()).dump(2));
   } else {
     print_table(evaluations);
   }
-  if (json && !json_to_stdout) write_named_file(options.json, claims_json(evaluations).dump(2) + "\n");
+  if (json && !json_to_stdout)
+    write_named_file(options.json, checked_json(evaluations, !options.measured.empty()).dump(2) + "\n");
   if (!options.junit.empty()) write_named_file(options.junit, claims_junit(evaluations));
   const ClaimCounts counts = count(evaluations);
   if (!options.measured.empty() && counts.gates_holding + counts.gates_broken == 0) {

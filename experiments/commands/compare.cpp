@@ -177,13 +177,15 @@ class Summary {
   }
 
   [[nodiscard]] compare::Section section() const {
-    std::string html = "<table><tr><th></th>";
-    for (const std::string& name : candidates_) html += "<th>" + escape_html(name) + "</th>";
+    std::vector<std::string> headings{""};
+    for (const std::string& name : candidates_) headings.push_back(escape_html(name));
+    std::vector<std::vector<std::string>> rows;
     for (const Row& row : rows_) {
-      html += "</tr>\n<tr><td>" + escape_html(row.name) + "</td>";
-      for (const std::string& cell : row.cells) html += "<td>" + escape_html(cell) + "</td>";
+      std::vector<std::string>& cells = rows.emplace_back();
+      cells.push_back(escape_html(row.name));
+      for (const std::string& cell : row.cells) cells.push_back(escape_html(cell));
     }
-    return {"summary", "Summary", html + "</tr></table>\n"};
+    return {"summary", "Summary", table_html(headings, rows)};
   }
 
  private:
