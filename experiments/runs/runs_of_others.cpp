@@ -20,9 +20,12 @@ namespace {
 
 constexpr double not_recorded = std::numeric_limits<double>::quiet_NaN();
 
-const Species& dropped_species(const Scene& scene) {
+const Species& dropped_species(const RecordsOfOthers& records) {
+  const Scene& scene = records.scene;
   const auto stage = std::ranges::find(scene.stages, StageKind::drop, &Stage::kind);
-  if (stage == scene.stages.end()) throw std::runtime_error("its scene has no stage of kind = \"drop\"");
+  if (stage == scene.stages.end())
+    throw std::runtime_error(fmt::format(
+        "{}: has drops, but its scene no stage of kind = \"drop\" that says of which sphere", records.name));
   return *std::ranges::find(scene.species, stage->species, &Species::name);
 }
 
@@ -48,10 +51,13 @@ class Reduction {
     run_.spec = records.spec;
     run_.scene = records.scene;
     run_.result.name = records.name;
+    run_.result.packed_voidage = not_recorded;
     scene_ = records.scene;
   }
 
   FinishedRun reduce(std::uint64_t packing) {
+    if (!(volume_of_bed(records_.scene) > 0.0))
+      throw std::runtime_error(fmt::format("{}: its scene has no spheres of a bed", records_.name));
     if (!records_.bed.empty()) read_bed();
     if (!records_.positions.empty()) read_positions();
     if (!records_.settled.empty()) read_settled();
@@ -229,7 +235,7 @@ class Reduction {
   }
 
   void add_drop(DropSeries drop) {
-    const Species& species = dropped_species(records_.scene);
+    const Species& species = dropped_species(records_);
     drop.species = species.name;
     const double release = drop.time.front();
     for (double& time : drop.time) time -= release;

@@ -124,6 +124,8 @@ SeriesTable read_series(const std::filesystem::path& file, std::span<const Serie
   std::size_t number = 0;
   for (std::string line; std::getline(text, line);) {
     ++number;
+    constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";  // of spreadsheets
+    if (number == 1 && line.starts_with(byte_order_mark)) line.erase(0, byte_order_mark.size());
     const std::string_view content = trimmed(line);
     if (content.empty() || content.front() == '#') continue;
     if (reader.has_headings()) {

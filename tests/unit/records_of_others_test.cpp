@@ -161,6 +161,7 @@ TEST_F(RecordsOfOthersTest, VelocitiesOfADumpMakeTheFluctuatingEnergy) {
   ASSERT_TRUE(run.summary);
   EXPECT_NEAR(run.summary->bed.at("fluctuating_energy").mean, 0.5 * 0.01 * bed_count / (bed_count - 1.0), 1e-12);
   EXPECT_FALSE(run.summary->bed.contains("pressure_drop")) << "nobody recorded it";
+  EXPECT_FALSE(run.summary->run.contains("expansion")) << "of which settled bed?";
 }
 
 TEST_F(RecordsOfOthersTest, PositionsOfACsvAreThoseOfADump) {
@@ -187,6 +188,7 @@ TEST_F(RecordsOfOthersTest, ComplainsWithFileLineAndColumn) {
   expect(of_drop("time [s]\n0\n"), {"drop.csv:1: has no column z"});
   expect(of_drop("time [s],z [m]\n# nothing\n0,high\n"), {"drop.csv:3: column z: \"high\" is no finite number"});
   expect(of_drop("time [s],z [m]\n0,1\n0,1\n"), {"drop.csv:3: column time: does not rise"});
+  expect(of_drop("\xEF\xBB\xBFtime [s],z\r\n0,1\r\n"), {"drop.csv:1: column z: has no unit"});
   expect(of_drop("time [s],z [m]\n"), {"drop.csv:1: has no line of numbers"});
   expect(complaint(head + "drops = \"none.csv\"\n"), {"mine.toml:4: drops: there is no file"});
   expect(complaint(head), {"mine.toml:2: system: has no file"});
