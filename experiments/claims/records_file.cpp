@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <stdexcept>
 
 #include "experiments/runs/measure.hpp"
@@ -91,8 +92,15 @@ RecordsOfOthers read_table(TomlTable& table, const std::filesystem::path& folder
 Measurements measure_records(TomlTable& table, const std::filesystem::path& folder, const std::string& file,
                              const MeasuredSystems& systems) {
   std::vector<FinishedRun> runs;
+  std::map<std::string, std::string> scenes;  // by what they answer
   for (TomlTable& one : table.tables("series")) {
     RecordsOfOthers records = read_table(one, folder, systems);
+    const std::string key = run_key(records.spec), scene = canonical_toml(records.scene);
+    if (scenes.try_emplace(key, scene).first->second != scene)
+      throw one.problem(one.has("scene") ? "scene" : "system",
+                        fmt::format("its scene is another one than that of a [[series]] of {} before: these are no "
+                                    "samples of one number",
+                                    key));
     records.name = fmt::format("{}, [[series]] {}", file, runs.size() + 1);
     runs.push_back(reduce_records(records, runs.size() + 1, systems.rules));
   }

@@ -13,6 +13,7 @@
 #include "experiments/runs/sphere_frames.hpp"
 #include "experiments/work/measured_systems.hpp"
 #include "solver/support/files.hpp"
+#include "solver/support/folders.hpp"
 #include "tests/temporary_folder.hpp"
 
 namespace slfb {
@@ -117,6 +118,13 @@ std::string dump_of(double height, int frames, const std::string& columns, doubl
   return text;
 }
 
+/// The scene of the work with 400 spheres.
+std::string replaced_count() {
+  std::string text = read_file(source_folder() / "experiments/peng_2014/scenes/6in5W.toml");
+  const auto begin = text.find("total_mass = "), end = text.find('\n', begin);
+  return text.replace(begin, end - begin, "count = 400");
+}
+
 double voidage_at(double height) {
   return 1.0 - bed_count * std::numbers::pi / 6.0 * std::pow(bed_diameter, 3) / (column_area * height);
 }
@@ -191,6 +199,10 @@ TEST_F(RecordsOfOthersTest, ComplainsWithFileLineAndColumn) {
   expect(of_drop("\xEF\xBB\xBFtime [s],z\r\n0,1\r\n"), {"drop.csv:1: column z: has no unit"});
   expect(of_drop("time [s],z [m]\n"), {"drop.csv:1: has no line of numbers"});
   expect(complaint(head + "drops = \"none.csv\"\n"), {"mine.toml:4: drops: there is no file"});
+  write_fall("fall.csv", 0.2);
+  write("few.toml", replaced_count());
+  expect(complaint(head + "drops = \"fall.csv\"\n" + head + "drops = \"fall.csv\"\nscene = \"few.toml\"\n"),
+         {"mine.toml:9: scene: ", "no samples of one number"});
   expect(complaint(head), {"mine.toml:2: system: has no file"});
   expect(complaint("[[series]]\nsystem = \"7in5W\"\nsuperficial_velocity = \"1 m/s\"\n"),
          {"mine.toml:2: system: ", "6in5W"});
