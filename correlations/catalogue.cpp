@@ -3,7 +3,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
+#include <mutex>
 #include <stdexcept>
+#include <string>
+#include <utility>
 
 #include "correlations/classification/classification_laws.hpp"
 #include "correlations/collision/collision_laws.hpp"
@@ -160,7 +164,11 @@ constexpr auto evaluate_restitution = [](const auto& law, const LawArguments& a)
 template <class Laws, class Evaluate>
 void add(std::vector<CatalogueEntry>& entries, Evaluate) {
   for_each_law<Laws>([&]<class Law>(const Law&) {
-    entries.push_back({Law::info, [](const LawArguments& a) { return Evaluate{}(Law{}, a); }, HasTransition<Law>});
+    entries.push_back({Law::info, [](const LawArguments& a) { return Evaluate{}(Law{}, a); }, HasTransition<Law>,
+                       parameters_of<Law>(),
+                       [](const LawCall& call) -> std::function<LawAnswer(const LawArguments&)> {
+                         return [law = with_values<Law>(call)](const LawArguments& a) { return Evaluate{}(law, a); };
+                       }});
   });
 }
 
@@ -361,13 +369,27 @@ const std::vector<CatalogueEntry>& catalogue() {
   return entries;
 }
 
-const CatalogueEntry& find_law(std::string_view name) {
+const CatalogueEntry& find_law(std::string_view text) {
+  const LawCall call = parse_law_call(text);
   std::string known;
   for (const CatalogueEntry& entry : catalogue()) {
-    if (entry.info.name == name) return entry;
+    if (entry.info.name == call.name) {
+      if (call.values.empty()) return entry;
+      static std::map<std::string, CatalogueEntry, std::less<>> varied;
+      static std::mutex mutex;
+      const std::lock_guard lock(mutex);
+      const std::string name = law_call_text(call.name, call);
+      if (const auto found = varied.find(name); found != varied.end()) return found->second;
+      CatalogueEntry one = entry;
+      one.evaluate = entry.with(call);
+      const auto added = varied.emplace(name, std::move(one)).first;
+      added->second.info.name = added->first;
+      if (entry.info.variant_of.empty()) added->second.info.variant_of = entry.info.name;
+      return added->second;
+    }
     known += (known.empty() ? "" : ", ") + std::string(entry.info.name);
   }
-  throw std::invalid_argument("unknown law \"" + std::string(name) + "\"; known: " + known);
+  throw std::invalid_argument("unknown law \"" + call.name + "\"; known: " + known);
 }
 
 bool in_range(const LawInfo& info, const LawArguments& a, const LawAnswer& evaluation) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <limits>
 #include <span>
 #include <string>
@@ -8,6 +9,7 @@
 
 #include "correlations/foreign_sphere.hpp"
 #include "correlations/law.hpp"
+#include "correlations/law_parameters.hpp"
 
 namespace slfb {
 
@@ -79,8 +81,11 @@ struct LawAnswer {
 /// One law of the catalogue.
 struct CatalogueEntry {
   LawInfo info;
-  LawAnswer (*evaluate)(const LawArguments& arguments);
+  std::function<LawAnswer(const LawArguments& arguments)> evaluate;
   bool takes_transition;  ///< whether f of Ružička (2006) is a part of it
+  std::vector<ParameterInfo> parameters = {};
+  /// `evaluate` of the law with other values of its parameters. Throws as with_values.
+  std::function<LawAnswer(const LawArguments& arguments)> (*with)(const LawCall& call) = nullptr;
 };
 
 /// The arguments that a law takes.
@@ -89,9 +94,9 @@ std::vector<const Argument*> arguments_of(const CatalogueEntry& law);
 /// Every law of the suite, kind by kind.
 const std::vector<CatalogueEntry>& catalogue();
 
-/// The law of that name.
-/// \throws std::invalid_argument naming the unknown law and listing the known ones
-const CatalogueEntry& find_law(std::string_view name);
+/// The law of that name, "NAME" or "NAME:KEY=VALUE,KEY=VALUE", whose info.name has the parameters then.
+/// \throws std::invalid_argument naming the unknown law and listing the known ones, or the parameters of the law
+const CatalogueEntry& find_law(std::string_view text);
 
 /// The laws that other sources print under the name of that law.
 std::vector<const CatalogueEntry*> variants_of(std::string_view name);

@@ -118,6 +118,7 @@ int main(int argc, char** argv) {
   try {
     slfb::add_figures_command(app);
     slfb::add_check_command(app);
+    slfb::add_history_command(app);
     slfb::add_article_command(app);
     slfb::add_compare_command(app);
     slfb::add_run_command(app);

@@ -102,7 +102,8 @@ std::string picture(const CatalogueEntry& law) {
       escape(law.info.name), escape(sweep_of(law.info.kind).x.title), held_arguments(law));
 }
 
-std::string facts(const LawInfo& info, const std::string& bibliography) {
+std::string facts(const CatalogueEntry& entry, const std::string& bibliography) {
+  const LawInfo& info = entry.info;
   std::string html = "<div class=\"card scroll\"><table><tbody>\n";
   const auto row = [&](const char* name, const std::string& text) {
     if (!text.empty()) html += fmt::format("<tr><td>{}</td><td>{}</td></tr>\n", name, text);
@@ -122,6 +123,7 @@ std::string facts(const LawInfo& info, const std::string& bibliography) {
   std::string variants;
   for (const CatalogueEntry* variant : variants_of(info.name)) variants += link(variant->info.name) + " ";
   row("Variants", variants);
+  for (const ParameterInfo& parameter : entry.parameters) row("Parameter", prose_html(parameter_text(parameter)));
   return html + "</tbody></table></div>\n";
 }
 
@@ -270,7 +272,7 @@ void write_law_pages(const fs::path& folder) {
     draw_law(entry, drawn_arguments(info), std::string(info.name), laws, {"svg"});
     write_file(laws / (std::string(info.name) + ".html"),
                page(escape(info.title),
-                    facts(info, bibliography) + picture(entry) + symbols(entry) + check_table(entry, checks)));
+                    facts(entry, bibliography) + picture(entry) + symbols(entry) + check_table(entry, checks)));
   }
   for (const CatalogueEntry* law : first_of_each_kind()) {
     const LawInfo& info = law->info;

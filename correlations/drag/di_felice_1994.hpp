@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cmath>
 
 #include "correlations/drag/drag_law.hpp"
@@ -26,6 +27,15 @@ struct DiFelice1994 {
       .confidence = Confidence::read,
       .note = "the source writes the exponent for the total force with 1 - X; this is the drag of model A"};
 
+  double limit = 3.7;
+  double dip = 0.65;
+
+  static constexpr auto parameters() {
+    return std::array{
+        LawParameter<DiFelice1994>{"limit", &DiFelice1994::limit, {0.0, 10.0}, "exponent X at small and large Re"},
+        LawParameter<DiFelice1994>{"dip", &DiFelice1994::dip, {0.0, 5.0}, "how much less X is at Re = 10^1.5"}};
+  }
+
   /// \param flow voidage ε [-] and superficial slip Reynolds number Re = ρ ε d w / μ [-]
   /// \return F = f_d / (3 π μ d ε w) [-]
   template <class Number = double>
@@ -36,11 +46,11 @@ struct DiFelice1994 {
 
   /// χ [-]. The dip of the exponent around Re = 30 is gone in the creeping-flow limit, where log10 has no value.
   template <class Number>
-  static Number exponent(Number reynolds) {
+  Number exponent(Number reynolds) const {
     using std::exp, std::log10;
-    if (reynolds <= 0.0) return 3.7;
+    if (reynolds <= 0.0) return limit;
     const Number decades = 1.5 - log10(reynolds);
-    return 3.7 - 0.65 * exp(-0.5 * decades * decades);
+    return limit - dip * exp(-0.5 * decades * decades);
   }
 };
 

@@ -32,7 +32,7 @@ struct DiFelice1994Mfix {
   Number operator()(SuspensionFlowOf<Number> flow) const {
     using std::pow;
     return single_sphere::SchillerNaumann1935{}(flow.reynolds) *
-           pow(flow.voidage, -DiFelice1994::exponent(flow.reynolds));
+           pow(flow.voidage, -DiFelice1994{}.exponent(flow.reynolds));
   }
 };
 

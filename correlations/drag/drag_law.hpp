@@ -4,6 +4,7 @@
 
 #include "correlations/dual.hpp"
 #include "correlations/law.hpp"
+#include "correlations/law_parameters.hpp"
 
 namespace slfb::drag {
 

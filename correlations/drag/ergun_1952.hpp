@@ -1,5 +1,7 @@
 #pragma once
 
+#include <array>
+
 #include "correlations/drag/drag_law.hpp"
 
 namespace slfb::drag {
@@ -24,12 +26,21 @@ struct Ergun1952 {
       .confidence = Confidence::read,
       .note = "range of Re is that of Re/(1 - e), 1 to 2500, at e = 0.4 to 0.6; no single-sphere limit"};
 
+  double viscous = 150.0;
+  double inertial = 1.75;
+
+  static constexpr auto parameters() {
+    return std::array{
+        LawParameter<Ergun1952>{"viscous", &Ergun1952::viscous, {0.0, 1000.0}, "constant of the viscous part"},
+        LawParameter<Ergun1952>{"inertial", &Ergun1952::inertial, {0.0, 100.0}, "constant of the inertial part"}};
+  }
+
   /// \param flow voidage ε [-] and superficial slip Reynolds number Re = ρ ε d w / μ [-]
   /// \return F = f_d / (3 π μ d ε w) [-]
   template <class Number = double>
   Number operator()(SuspensionFlowOf<Number> flow) const {
     const double e = flow.voidage;
-    return (150.0 * (1.0 - e) + 1.75 * flow.reynolds) / (18.0 * e * e);
+    return (viscous * (1.0 - e) + inertial * flow.reynolds) / (18.0 * e * e);
   }
 };
 

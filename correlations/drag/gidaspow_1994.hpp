@@ -1,5 +1,7 @@
 #pragma once
 
+#include <array>
+
 #include "correlations/drag/drag_law.hpp"
 #include "correlations/drag/ergun_1952.hpp"
 #include "correlations/drag/wen_yu_1966.hpp"
@@ -24,11 +26,25 @@ struct Gidaspow1994 {
                                 .confidence = Confidence::read,
                                 .note = "discontinuous at e = 0.8"};
 
+  double viscous = Ergun1952{}.viscous;
+  double inertial = Ergun1952{}.inertial;
+  double exponent = WenYu1966{}.exponent;
+  double switch_voidage = 0.8;
+
+  static constexpr auto parameters() {
+    using Parameter = LawParameter<Gidaspow1994>;
+    return std::array{
+        Parameter{"viscous", &Gidaspow1994::viscous, {0.0, 1000.0}, "of Ergun's viscous part"},
+        Parameter{"inertial", &Gidaspow1994::inertial, {0.0, 100.0}, "of Ergun's inertial part"},
+        Parameter{"exponent", &Gidaspow1994::exponent, {0.0, 10.0}, "of Wen & Yu's e^-exponent"},
+        Parameter{"switch_voidage", &Gidaspow1994::switch_voidage, {0.0, 1.0}, "largest voidage with Ergun's law"}};
+  }
+
   /// \param flow voidage ε [-] and superficial slip Reynolds number Re = ρ ε d w / μ [-]
   /// \return F = f_d / (3 π μ d ε w) [-]
   template <class Number = double>
   Number operator()(SuspensionFlowOf<Number> flow) const {
-    return flow.voidage <= 0.8 ? Ergun1952{}(flow) : WenYu1966{}(flow);
+    return flow.voidage <= switch_voidage ? Ergun1952{viscous, inertial}(flow) : WenYu1966{exponent}(flow);
   }
 };
 

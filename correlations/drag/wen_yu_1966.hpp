@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cmath>
 
 #include "correlations/drag/drag_law.hpp"
@@ -26,11 +27,20 @@ struct WenYu1966 {
                                 .confidence = Confidence::read,
                                 .note = "exponent -3.65 here is the -2.65 of Eq. 23, which multiplies e (1 - e) w"};
 
+  double exponent = 3.65;
+
+  static constexpr auto parameters() {
+    return std::array{LawParameter<WenYu1966>{"exponent",
+                                              &WenYu1966::exponent,
+                                              {0.0, 10.0},
+                                              "of e^-exponent, 1 more than where the drag per volume is written"}};
+  }
+
   /// \param flow voidage ε [-] and superficial slip Reynolds number Re = ρ ε d w / μ [-]
   /// \return F = f_d / (3 π μ d ε w) [-]
   template <class Number = double>
   Number operator()(SuspensionFlowOf<Number> flow) const {
-    return single_sphere::SchillerNaumann1935{}(flow.reynolds) * std::pow(flow.voidage, -3.65);
+    return single_sphere::SchillerNaumann1935{}(flow.reynolds) * std::pow(flow.voidage, -exponent);
   }
 };
 

@@ -20,6 +20,7 @@
 
 #include "experiments/quantities/analysis.hpp"
 #include "experiments/quantities/json_file.hpp"
+#include "solver/support/stopwatch.hpp"
 #include "solver/support/toml_table.hpp"
 
 namespace slfb {
@@ -807,8 +808,13 @@ std::vector<Evaluation> evaluate(const std::vector<Claim>& claims, const Measure
   evaluations.reserve(claims.size());
   for (const Claim& claim : claims) {
     const auto look = looks.find(claim.id);
-    evaluations.push_back(
-        evaluate_claim(claim, measurements, significance_of_look(look == looks.end() ? 1 : look->second)));
+    double seconds = 0.0;
+    {
+      const Stopwatch watch(seconds);
+      evaluations.push_back(
+          evaluate_claim(claim, measurements, significance_of_look(look == looks.end() ? 1 : look->second)));
+    }
+    evaluations.back().seconds = seconds;
     if (look != looks.end() && look->second > 1)
       evaluations.back().reason += fmt::format("; look {} at these runs, of intervals that miss in {:.2g} % of cases",
                                                look->second, 100.0 * significance_of_look(look->second));
@@ -880,28 +886,47 @@ nlohmann::ordered_json claims_json(const std::vector<Evaluation>& evaluations) {
   return {{"claims", std::move(list)}};
 }
 
+namespace {
+
+/// What is beside the reason of a broken gate: our number and what it may be.
+std::string failure_text(const Evaluation& evaluation) {
+  const Claim& claim = evaluation.claim;
+  std::string text;
+  if (evaluation.ours) text += fmt::format("ours {:.6g} {}", *evaluation.ours, claim.unit);
+  if (evaluation.interval)
+    text += fmt::format(" in [{:.6g}, {:.6g}]", evaluation.interval->first, evaluation.interval->second);
+  const std::optional<Band>& band = claim.regression_band ? claim.regression_band : claim.paper_band;
+  if (band) text += fmt::format(", allowed [{:.6g}, {:.6g}]", band->lower, band->upper);
+  return text + (text.empty() ? "" : ": ") + evaluation.reason;
+}
+
+}  // namespace
+
 std::string claims_junit(const std::vector<Evaluation>& evaluations) {
   pugi::xml_document document;
   pugi::xml_node suite = document.append_child("testsuite");
-  std::size_t tests = 0, failures = 0, skipped = 0;
+  std::size_t failures = 0, skipped = 0;
+  double seconds = 0.0;
   for (const Evaluation& evaluation : evaluations) {
-    if (!evaluation.claim.regression_band && evaluation.gate == Gate::none) continue;
-    ++tests;
+    seconds += evaluation.seconds;
     pugi::xml_node test = suite.append_child("testcase");
     test.append_attribute("classname") = evaluation.claim.figure.c_str();
     test.append_attribute("name") = evaluation.claim.id.c_str();
+    test.append_attribute("time") = fmt::format("{:.6f}", evaluation.seconds).c_str();
     if (evaluation.gate == Gate::broken) {
       ++failures;
-      test.append_child("failure").append_attribute("message") = evaluation.reason.c_str();
+      test.append_child("failure").append_attribute("message") = failure_text(evaluation).c_str();
     } else if (evaluation.gate == Gate::none) {
       ++skipped;
-      test.append_child("skipped").append_attribute("message") = evaluation.reason.c_str();
+      test.append_child("skipped").append_attribute("message") =
+          fmt::format("no gate; {}: {}", to_string(evaluation.verdict), evaluation.reason).c_str();
     }
   }
   suite.append_attribute("name") = "slfb check";
-  suite.append_attribute("tests") = tests;
+  suite.append_attribute("tests") = evaluations.size();
   suite.append_attribute("failures") = failures;
   suite.append_attribute("skipped") = skipped;
+  suite.append_attribute("time") = fmt::format("{:.6f}", seconds).c_str();
   std::ostringstream text;
   document.save(text, "  ");
   return text.str();

@@ -113,7 +113,8 @@ struct Evaluation {
   /// With Lack::more_samples: how many times as many samples would decide it, were means and scatter what they seem to
   /// be; infinite where the mean lies on an edge. Empty where that is not known.
   std::optional<double> samples_needed = {};
-  std::string reason;  ///< why not decidable, or why a gate is broken; for the others how it was decided
+  std::string reason;    ///< why not decidable, or why a gate is broken; for the others how it was decided
+  double seconds = 0.0;  ///< that it took to evaluate
 };
 
 /// Reads the claims of a work. \param reference its printed numbers, by which claims name them
@@ -158,8 +159,8 @@ std::string counts_text(const std::vector<Evaluation>& evaluations);
 /// "gate", "origin", "lack", "reason"}, …]}.
 nlohmann::ordered_json claims_json(const std::vector<Evaluation>& evaluations);
 
-/// JUnit XML: each claim with a gate, a regression band or a test against the published runs, is a test case; broken:
-/// failure, a band without a measurement: skipped.
+/// JUnit XML: each claim is a test case. A broken gate is a failure, with our number and what it may be; a claim
+/// without a gate, undecided or not measured here, is skipped, with the reason.
 std::string claims_junit(const std::vector<Evaluation>& evaluations);
 
 }  // namespace slfb

@@ -1,9 +1,12 @@
+#include <fmt/chrono.h>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <spdlog/spdlog.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cmath>
+#include <ctime>
 #include <filesystem>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -17,9 +20,12 @@
 #include "experiments/commands/commands.hpp"
 #include "experiments/commands/works.hpp"
 #include "experiments/work/judge.hpp"
+#include "experiments/work/measured_systems.hpp"
 #include "solver/support/close_names.hpp"
+#include "solver/support/commit.hpp"
 #include "solver/support/files.hpp"
 #include "solver/support/folders.hpp"
+#include "solver/support/processor.hpp"
 
 namespace slfb {
 namespace {
@@ -28,8 +34,9 @@ constexpr const char* examples = R"(Examples:
   slfb check                          every claim: paper, ours, verdict, gate
   slfb check fig05 table2             the claims whose id begins so
   slfb check --json                   the same as JSON on standard output
-  slfb check --junit gates.xml        a test case per gate, for CI
-  slfb check --template > mine.toml   a file for results of your own, from an experiment or another code
+  slfb check --junit gates.xml        a test case per claim, for CI
+  slfb check --template > mine.toml   a file for results of your own, from an experiment or another code: values,
+                                      or raw series and dumps of spheres with the definitions that reduce them
   slfb check --measured mine.toml     what the claims say to them; the bands of the paper are the gates
   slfb check --measured mine.toml --baseline accepted.toml --accept   accept them: gates of the next call
   slfb check --measured mine.toml --baseline accepted.toml            have they changed since?
@@ -38,7 +45,8 @@ A verdict says whether the paper is reproduced; a gate says whether our own acce
 status is 0 when every gate of the chosen claims holds, 1 when one is broken, when results of --measured decide no claim,
 or when a file cannot be read or written, 2 for a wrong command line. Name claims before --json, which takes what follows it as its file. Nothing is simulated.
 
-JSON: {"claims": [CLAIM, ...]}; a CLAIM has
+JSON: {"made_by": {"version", "commit", "date", "machine"}, "claims": [CLAIM, ...]}; version and commit are empty for
+results of --measured. `slfb history` keeps what versions said. A CLAIM has
   id, figure, quantity, unit   texts; "-" is the unit of ratios
   paper                        number, or a text ("at most 0.5", "increasing")
   ours, deviation              number, or null when not measured; deviation from the paper's value or the bound that
@@ -121,19 +129,38 @@ std::vector<Evaluation> evaluate_own(const Work& work, const std::vector<Claim>&
 }
 
 /// What the claims say to results of others.
-std::vector<Evaluation> evaluate_results(const std::vector<Claim>& chosen, const std::vector<Claim>& all,
-                                         const Options& options) {
-  const Measurements measured = load_measured(options.measured, all);
+std::vector<Evaluation> evaluate_results(const Work& work, const std::vector<Claim>& chosen,
+                                         const std::vector<Claim>& all, const Options& options) {
+  const MeasuredSystems systems = measured_systems(work);
+  const Measurements measured = load_measured(options.measured, all, systems);
+  for (const auto& [key, value] : measured)
+    if (!value.has_interval())
+      spdlog::warn("{}: {} = {:.4g} {} has no interval: a single sample decides nothing", options.measured.string(),
+                   to_string(key), value.value, value.unit);
   auto evaluations = evaluate_measured(chosen, measured);
-  if (!options.baseline.empty()) gate_against_baseline(evaluations, measured, load_measured(options.baseline, all));
+  if (!options.baseline.empty())
+    gate_against_baseline(evaluations, measured, load_measured(options.baseline, all, systems));
   return evaluations;
 }
 
-/// Takes the results for the baseline, once they have been read without an error.
+/// Takes the results for the baseline, once they have been read without an error: as values, since the records that a
+/// file names will be other ones next time.
 void accept(const Work& work, const Options& options) {
-  const std::size_t number = load_measured(options.measured, load_claims(work)).size();
-  std::filesystem::copy_file(options.measured, options.baseline, std::filesystem::copy_options::overwrite_existing);
-  fmt::print("{} results of {} accepted in {}\n", number, options.measured.string(), options.baseline.string());
+  const Measurements measured = load_measured(options.measured, load_claims(work), measured_systems(work));
+  write_named_file(options.baseline, measured_text(measured));
+  fmt::print("{} results of {} accepted in {}\n", measured.size(), options.measured.string(),
+             options.baseline.string());
+}
+
+/// What was found, and by what.
+nlohmann::ordered_json checked_json(const std::vector<Evaluation>& evaluations, bool of_others) {
+  nlohmann::ordered_json json;
+  json["made_by"] = {{"version", of_others ? "" : SLFB_VERSION},
+                     {"commit", of_others ? "" : suite_commit()},
+                     {"date", fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::time(nullptr)))},
+                     {"machine", processor_name()}};
+  json.update(claims_json(evaluations));
+  return json;
 }
 
 /// Returns the exit status: 1 when a gate is broken, or when results of others were held against nothing.
@@ -144,21 +171,22 @@ int check(const Work& work, const Options& options, bool json) {
           fmt::format("cannot write {}: there is no folder {}", file.string(), file.parent_path().string()));
   const std::vector<Claim> all = load_claims(work), claims = choose(all, options.ids);
   const auto evaluations =
-      options.measured.empty() ? evaluate_own(work, claims, options) : evaluate_results(claims, all, options);
+      options.measured.empty() ? evaluate_own(work, claims, options) : evaluate_results(work, claims, all, options);
   const bool json_to_stdout = json && options.json == "-";
   if (json_to_stdout) {
-    fmt::print("{}\n", claims_json(evaluations).dump(2));
+    fmt::print("{}\n", checked_json(evaluations, !options.measured.empty()).dump(2));
   } else {
     print_table(evaluations);
   }
-  if (json && !json_to_stdout) write_named_file(options.json, claims_json(evaluations).dump(2) + "\n");
+  if (json && !json_to_stdout)
+    write_named_file(options.json, checked_json(evaluations, !options.measured.empty()).dump(2) + "\n");
   if (!options.junit.empty()) write_named_file(options.junit, claims_junit(evaluations));
   const ClaimCounts counts = count(evaluations);
   if (!options.measured.empty() && counts.gates_holding + counts.gates_broken == 0) {
     // Nothing was held against anything: that is no success.
     fmt::print(
         stderr,
-        "slfb: error: {} decides none of the {} chosen claims: a value needs a half_width, and a claim all of its "
+        "slfb: error: {} decides none of the {} chosen claims: a value needs an interval, and a claim all of its "
         "measures{}\n",
         options.measured.string(), claims.size(),
         options.baseline.empty() ? "" : fmt::format("; {} needs the same measures", options.baseline.string()));
@@ -178,7 +206,7 @@ void add_check_command(CLI::App& app, const Works& works) {
       command->add_option("--json", options->json, "write JSON to FILE, or to standard output without one")
           ->expected(0, 1)
           ->option_text("[FILE]");
-  command->add_option("--junit", options->junit, "write JUnit XML of the gates to FILE")->option_text("FILE");
+  command->add_option("--junit", options->junit, "write JUnit XML of the claims to FILE")->option_text("FILE");
   CLI::Option* profile =
       command->add_option("--profile", options->profile, "whose simulations to use (`slfb list` shows them)");
   CLI::Option* out = command->add_option("--out", options->out, "folder with runs/")->option_text("DIR");
@@ -200,7 +228,8 @@ void add_check_command(CLI::App& app, const Works& works) {
   command->footer(examples);
   command->callback([options, json, &works] {
     const Work& work = find_work(works, options->work);
-    if (options->start) return fmt::print("{}", measured_template(choose(load_claims(work), options->ids)));
+    if (options->start)
+      return fmt::print("{}", measured_template(choose(load_claims(work), options->ids), measured_systems(work)));
     if (options->accept) return accept(work, *options);
     if (options->json.empty()) options->json = "-";
     const int status = check(work, *options, json->count() > 0);

@@ -24,6 +24,9 @@ void add_figures_command(CLI::App& app, const Works& works = slfb::works());
 /// `slfb check`: every claim with its verdict. The exit status is 0 only when every gate holds.
 void add_check_command(CLI::App& app, const Works& works = slfb::works());
 
+/// `slfb history`: what versions said to the claims, and what has changed.
+void add_history_command(CLI::App& app);
+
 /// `slfb article`: the reproduction as an article, its numbers and figures filled from data.
 void add_article_command(CLI::App& app, const Works& works = slfb::works());
 

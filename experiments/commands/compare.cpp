@@ -1,10 +1,13 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <xxhash.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <cmath>
+#include <cstdint>
 #include <filesystem>
 #include <iostream>
 #include <memory>
@@ -13,6 +16,7 @@
 #include <stdexcept>
 #include <thread>
 
+#include "correlations/law_parameters.hpp"
 #include "experiments/commands/above_zero.hpp"
 #include "experiments/commands/commands.hpp"
 #include "experiments/commands/works.hpp"
@@ -23,6 +27,7 @@
 #include "experiments/runs/measure.hpp"
 #include "experiments/runs/run_estimate.hpp"
 #include "experiments/runs/run_files.hpp"
+#include "reports/html.hpp"
 #include "solver/laws/user_law.hpp"
 #include "solver/scene/scene_description.hpp"
 #include "solver/support/files.hpp"
@@ -41,19 +46,21 @@ constexpr const char* examples = R"(Examples:
   slfb compare --drag mine.cpp                        beside the paper's law, gidaspow-1994
   slfb compare --drag gidaspow-1994,di-felice-1994,mine.cpp --tier correlation
   slfb compare --drag mine.cpp --tier 3d --experiments fig10,table2
+  slfb compare --drag ergun-1952 ergun-1952:viscous=180 ergun-1952:viscous=180,inertial=1.8   sweep its constants
   slfb compare --template contact > contact.cpp       a contact law to start from
   slfb compare --contact linear,hertz,contact.cpp
-  slfb compare --contact "linear,linear:stiffness=4e3 N/m:time_step=5e-5 s" --tier correlation
+  slfb compare --contact linear "linear:stiffness=4e3 N/m,time_step=5e-5 s" --tier correlation
   slfb compare --void-fraction exact-overlap,particle-meshing,centroid
 
-The first of a list is what the others are compared with. A contact law takes parameters: LAW:KEY=VALUE with a key of
-[contact] of a scene; `hertz` alone has the modulus that makes collisions of the bed as long as those of `linear`.
+The first of a list is what the others are compared with. Laws take parameters: LAW:KEY=VALUE,KEY=VALUE. Those of a drag
+law are its constants, which `slfb law LAW` lists and a file declares; those of a contact law are keys of [contact] of a
+scene, and `hertz` alone has the modulus that makes collisions of the bed as long as those of `linear`.
 
 Tiers: `correlation` simulates no bed (seconds: formulas, and collisions of two bodies); `1d` drops the sphere through
 a slice of the bed in a one-dimensional liquid (about a minute); `3d` is the bed of the paper with the settings of the
 profile quick (minutes per law and velocity). Simulations are kept in DIR/runs and not repeated; the report lies in
-DIR/compare/KIND/index.html, with the figures, claims.csv and compare.json beside it. A law from a file is compiled
-when it is used: that needs a C++20 compiler, $CXX or the one that built slfb.)";
+DIR/compare/KIND/NAMES/index.html, with the figures, claims.csv and compare.json beside it; what the terminal shows
+stands at its top. A law from a file is compiled when it is used: that needs a C++20 compiler, $CXX or the one that built slfb.)";
 
 struct Options {
   std::string work;
@@ -100,10 +107,30 @@ Question question(const Work& work, const Options& options) {
 
 /// What the candidates are, and what to say of them before and beside the simulations.
 struct Comparison {
-  std::string kind;  ///< "drag": folder of the report
+  std::string kind;  ///< "drag"
   std::string title;
   std::vector<Candidate> candidates;
 };
+
+/// Where the report of a comparison lies: a folder for each set of candidates, tier, claims and velocities.
+fs::path folder_of(const Comparison& comparison, const Options& options) {
+  std::vector<std::string> names;
+  for (const Candidate& candidate : comparison.candidates) names.push_back(candidate.name);
+  std::string name = fmt::format("{}_{}", fmt::join(names, "+"), options.tier);
+  if (!options.experiments.empty()) name += fmt::format("_{}", fmt::join(options.experiments, "+"));
+  if (!options.velocities.empty()) name += fmt::format("_{}", fmt::join(options.velocities, "+"));
+  const std::string identity = name;
+  for (char& letter : name)
+    if (!std::isalnum(static_cast<unsigned char>(letter)) &&
+        std::string_view("-_.=+,").find(letter) == std::string::npos)
+      letter = '_';
+  constexpr std::size_t longest = 120;
+  // Names of many laws are too long for a folder, and others differ only in what a folder's name cannot have.
+  if (name.size() > longest || name != identity)
+    name = fmt::format("{}-{:08x}", name.substr(0, longest),
+                       static_cast<std::uint32_t>(XXH3_64bits(identity.data(), identity.size())));
+  return options.out / "compare" / comparison.kind / name;
+}
 
 /// Runs the simulations and fills the candidates. Everything is checked before anything is computed.
 CampaignOutcome compute(Comparison& comparison, const Question& asked, const Options& options) {
@@ -129,45 +156,80 @@ CampaignOutcome compute(Comparison& comparison, const Question& asked, const Opt
   return outcome;
 }
 
-void write_report(const Comparison& comparison, const Question& asked, std::vector<compare::Section> sections,
-                  const std::string& extra_cost, const nlohmann::ordered_json& extra_json,
-                  const CampaignOutcome& outcome, const fs::path& folder) {
+/// What the terminal shows at the end and the page at its top: names, then a column per candidate.
+class Summary {
+ public:
+  explicit Summary(std::vector<std::string> candidates) : candidates_(std::move(candidates)) {}
+
+  void add(std::string name, std::vector<std::string> cells) { rows_.push_back({std::move(name), std::move(cells)}); }
+  [[nodiscard]] const std::vector<std::string>& candidates() const { return candidates_; }
+
+  void print() const {
+    std::size_t width = 20;
+    for (const std::string& name : candidates_) width = std::max(width, name.size() + 2);
+    const auto line = [width](const std::string& name, const std::vector<std::string>& cells) {
+      fmt::print("{:<38}", name);
+      for (const std::string& cell : cells) fmt::print("{:>{}}", cell, width);
+      fmt::print("\n");
+    };
+    line("", candidates_);
+    for (const Row& row : rows_) line(row.name, row.cells);
+  }
+
+  [[nodiscard]] compare::Section section() const {
+    std::vector<std::string> headings{""};
+    for (const std::string& name : candidates_) headings.push_back(escape_html(name));
+    std::vector<std::vector<std::string>> rows;
+    for (const Row& row : rows_) {
+      std::vector<std::string>& cells = rows.emplace_back();
+      cells.push_back(escape_html(row.name));
+      for (const std::string& cell : row.cells) cells.push_back(escape_html(cell));
+    }
+    return {"summary", "Summary", table_html(headings, rows)};
+  }
+
+ private:
+  struct Row {
+    std::string name;
+    std::vector<std::string> cells;
+  };
+  std::vector<std::string> candidates_;
+  std::vector<Row> rows_;
+};
+
+void write_report(const Comparison& comparison, const Summary& summary, const Question& asked,
+                  std::vector<compare::Section> sections, const std::string& extra_cost,
+                  const nlohmann::ordered_json& extra_json, const CampaignOutcome& outcome, const fs::path& folder) {
   const auto& [bed, tier, claims, runs] = asked;
+  sections.insert(sections.begin(), summary.section());
   if (!outcome.failures.empty()) sections.push_back(compare::failure_section(outcome.failures));
   if (tier != Tier::correlation || comparison.kind == "drag")
     sections.push_back(compare::claims_section(comparison.candidates, claims));
   sections.push_back(compare::cost_section(comparison.candidates, extra_cost));
-  std::vector<std::string> names;
-  for (const Candidate& candidate : comparison.candidates) names.push_back(candidate.name);
-  compare::write_page(comparison.title,
-                      fmt::format("<p>{}. {}</p>", fmt::join(names, ", "), about_tier(bed, tier, runs)), sections,
-                      folder);
+  compare::write_page(
+      comparison.title,
+      fmt::format("<p>{}. {}</p>", escape_html(fmt::format("{}", fmt::join(summary.candidates(), ", "))),
+                  about_tier(bed, tier, runs)),
+      sections, folder);
   compare::write_claims_csv(comparison.candidates, claims, folder);
   nlohmann::ordered_json answer = compare::candidates_json(comparison.candidates, claims);
   if (!extra_json.is_null()) answer["laws"] = extra_json;
   write_file(folder / "compare.json", answer.dump(2) + "\n");
 }
 
-/// A line of the summary: a name, then a column per candidate.
-void print_row(const std::string& name, const std::vector<std::string>& cells) {
-  fmt::print("{:<38}", name);
-  for (const std::string& cell : cells) fmt::print("{:>20}", cell);
-  fmt::print("\n");
-}
-
-void print_candidates(const std::vector<Candidate>& candidates) {
+void add_candidates(Summary& summary, const std::vector<Candidate>& candidates) {
   using compare::Change;
   for (const Change which : {Change::better, Change::worse, Change::same, Change::undecided}) {
     std::vector<std::string> cells{"-"};
     for (std::size_t i = 1; i < candidates.size(); ++i)
       cells.push_back(fmt::format("{}", compare::count_changes(candidates[0], candidates[i])[which]));
-    print_row(fmt::format("claims {}", to_string(which)), cells);
+    summary.add(fmt::format("claims {}", to_string(which)), cells);
   }
   std::vector<std::string> cells;
   for (const Candidate& candidate : candidates)
     cells.push_back(
         candidate.runs == 0 ? "-" : fmt::format("{:.3g} s", candidate.core_seconds / candidate.simulated_seconds));
-  print_row("core time per simulated second", cells);
+  summary.add("core time per simulated second", cells);
 }
 
 void print_missing_properties(const std::string& law, const std::vector<compare::PropertyCheck>& properties) {
@@ -189,16 +251,17 @@ int finish(const CampaignOutcome& outcome, const fs::path& folder) {
   return outcome.exit_status();
 }
 
-/// The league with the laws of the user among those of the suite.
+/// The league with the laws of the user, and those with parameters, among those of the suite.
 std::vector<league::Table> league_of(const std::vector<compare::ComparedDragLaw>& laws) {
   std::vector<drag::DragLawKernels> user;
   for (const auto& compared : laws)
-    if (is_user_law(compared.argument)) user.push_back(compared.law);
+    if (is_varied_law(compared.argument)) user.push_back(compared.law);
   return league::league_tables(user);
 }
 
 /// Place and root mean square of each law in the league, one line for each kind of measurement that has drag laws.
-void print_places(const std::vector<league::Table>& tables, const std::vector<std::string>& laws) {
+void add_places(Summary& summary, const std::vector<league::Table>& tables) {
+  const std::vector<std::string>& laws = summary.candidates();
   for (const league::Table& table : tables) {
     std::vector<std::string> cells;
     for (const std::string& law : laws) {
@@ -209,7 +272,7 @@ void print_places(const std::vector<league::Table>& tables, const std::vector<st
                           : fmt::format("{} of {}, {:.0f} %", found - table.standings.begin() + 1,
                                         table.standings.size(), 100.0 * found->statistic.root_mean_square));
     }
-    if (cells.size() == laws.size()) print_row("measured: " + table.regime.id, cells);
+    if (cells.size() == laws.size()) summary.add("measured: " + table.regime.id, cells);
   }
 }
 
@@ -232,7 +295,7 @@ int compare_drag(const Work& work, const Options& options) {
   }
   const CampaignOutcome outcome = compute(comparison, asked, options);
 
-  const fs::path folder = options.out / "compare" / comparison.kind;
+  const fs::path folder = folder_of(comparison, options);
   auto sections = compare::drag_sections(laws, findings, comparison.candidates, bed, folder);
   std::vector<compare::RangeNotes> notes;
   for (std::size_t i = 0; i < laws.size(); ++i)
@@ -243,13 +306,9 @@ int compare_drag(const Work& work, const Options& options) {
   std::vector<std::string> in_league;
   for (const auto& compared : laws) in_league.push_back(compared.name());
   sections.push_back({"league", "Against measurements", league::places_html(tables, in_league)});
-  write_report(comparison, asked, sections, compare::evaluation_cost_html(laws, findings),
-               compare::drag_json(laws, findings, bed), outcome, folder);
-
-  std::vector<std::string> names, properties, fluidisation, classification, nanoseconds;
+  std::vector<std::string> properties, fluidisation, classification, nanoseconds;
   const double velocity = bed.tabulated_velocities.back();
   for (std::size_t i = 0; i < laws.size(); ++i) {
-    names.push_back(laws[i].name());
     properties.push_back(fmt::format("{} of {}",
                                      std::ranges::count(findings[i].properties, true, &compare::PropertyCheck::holds),
                                      findings[i].properties.size()));
@@ -258,13 +317,17 @@ int compare_drag(const Work& work, const Options& options) {
         fmt::format("{:.4g}", compare::homogeneous_bed(laws[i].law, bed, velocity).classification_velocity));
     nanoseconds.push_back(fmt::format("{:.1f} ns", 1e9 * findings[i].seconds_per_evaluation));
   }
-  print_row("", names);
-  print_row("properties that hold", properties);
-  print_row("U_mf [m/s]", fluidisation);
-  print_row(fmt::format("V_2 by force balance at {:.2f} m/s [m/s]", velocity), classification);
-  print_row("one evaluation", nanoseconds);
-  print_places(tables, in_league);
-  print_candidates(comparison.candidates);
+  Summary summary(in_league);
+  summary.add("properties that hold", properties);
+  summary.add("U_mf [m/s]", fluidisation);
+  summary.add(fmt::format("V_2 by force balance at {:.2f} m/s [m/s]", velocity), classification);
+  summary.add("one evaluation", nanoseconds);
+  add_places(summary, tables);
+  add_candidates(summary, comparison.candidates);
+  write_report(comparison, summary, asked, sections, compare::evaluation_cost_html(laws, findings),
+               compare::drag_json(laws, findings, bed), outcome, folder);
+
+  summary.print();
   for (std::size_t i = 0; i < laws.size(); ++i) print_missing_properties(laws[i].name(), findings[i].properties);
   print_range_notes(notes);
   return finish(outcome, folder);
@@ -291,23 +354,22 @@ int compare_contact(const Work& work, const Options& options) {
   }
   const CampaignOutcome outcome = compute(comparison, asked, options);
 
-  const fs::path folder = options.out / "compare" / comparison.kind;
+  const fs::path folder = folder_of(comparison, options);
   auto sections = compare::contact_sections(laws, findings, comparison.candidates, bed, folder);
   std::vector<compare::RangeNotes> notes;
   for (std::size_t i = 0; i < laws.size(); ++i)
     notes.push_back({laws[i].name, compare::uses_outside_range(laws[i], bed, comparison.candidates[i].measurements)});
   sections.push_back(compare::range_section(notes));
-  write_report(comparison, asked, sections, compare::contact_cost_html(laws, findings),
-               compare::contact_json(laws, findings), outcome, folder);
-
+  std::vector<std::string> names;
+  for (const auto& law : laws) names.push_back(law.name);
+  Summary summary(names);
   const auto row = [&](const std::string& name, auto cell) {
     std::vector<std::string> cells;
     for (std::size_t i = 0; i < laws.size(); ++i) cells.push_back(cell(laws[i], findings[i]));
-    print_row(name, cells);
+    summary.add(name, cells);
   };
   using Law = compare::ComparedContactLaw;
   using Found = compare::ContactFindings;
-  row("", [](const Law& law, const Found&) { return law.name; });
   row("properties that hold", [](const Law&, const Found& found) {
     return fmt::format("{} of {}", std::ranges::count(found.properties, true, &compare::PropertyCheck::holds),
                        found.properties.size());
@@ -326,7 +388,11 @@ int compare_contact(const Work& work, const Options& options) {
       [](const Law&, const Found& found) { return fmt::format("{:.3g}", found.stability_limit); });
   row("one contact",
       [](const Law&, const Found& found) { return fmt::format("{:.1f} ns", 1e9 * found.seconds_per_contact); });
-  if (asked.tier != Tier::correlation) print_candidates(comparison.candidates);
+  if (asked.tier != Tier::correlation) add_candidates(summary, comparison.candidates);
+  write_report(comparison, summary, asked, sections, compare::contact_cost_html(laws, findings),
+               compare::contact_json(laws, findings), outcome, folder);
+
+  summary.print();
   for (std::size_t i = 0; i < laws.size(); ++i) print_missing_properties(laws[i].name, findings[i].properties);
   print_range_notes(notes);
   return finish(outcome, folder);
@@ -354,15 +420,24 @@ int compare_void_fraction(const Work& work, const Options& options) {
   for (const std::string& name : options.void_fraction)
     comparison.candidates.push_back({name, {"coupling.void_fraction=" + name}, {}, {}});
   const CampaignOutcome outcome = compute(comparison, asked, options);
-  const fs::path folder = options.out / "compare" / comparison.kind;
+  const fs::path folder = folder_of(comparison, options);
   std::vector<compare::Section> sections{
       {"bed", "In the bed",
        "<p>What the runs measured, beside the paper and the correlations.</p>\n" +
            compare::pictures_html(compare::draw_bed_pictures(comparison.candidates, asked.bed, folder / "figures"))}};
-  write_report(comparison, asked, sections, "", nullptr, outcome, folder);
-  print_row("", options.void_fraction);
-  print_candidates(comparison.candidates);
+  Summary summary(options.void_fraction);
+  add_candidates(summary, comparison.candidates);
+  write_report(comparison, summary, asked, sections, "", nullptr, outcome, folder);
+  summary.print();
   return finish(outcome, folder);
+}
+
+/// Each of them alone, of words that hold one or more, "A,B:KEY=1,KEY=2".
+std::vector<std::string> laws_in(const std::vector<std::string>& words) {
+  std::vector<std::string> laws;
+  for (const std::string& word : words)
+    for (std::string& law : split_laws(word)) laws.push_back(std::move(law));
+  return laws;
 }
 
 }  // namespace
@@ -372,15 +447,14 @@ void add_compare_command(CLI::App& app, const Works& works) {
   CLI::App* command = app.add_subcommand("compare", "Compare laws, also your own, in formulas and in simulations");
   std::vector<std::string> tier_names;
   for (const auto& [name, tier] : tiers) tier_names.push_back(name);
-  auto* drag =
-      command->add_option("--drag", options->drag, "Drag laws: names from `slfb laws --kind drag`, or C++ files")
-          ->delimiter(',')
-          ->type_name("LAW,LAW,...");
+  auto* drag = command
+                   ->add_option("--drag", options->drag,
+                                "Drag laws: names from `slfb laws --kind drag`, or C++ files, each with parameters")
+                   ->type_name("LAW[:KEY=VALUE,...],...");
   auto* contact =
       command
           ->add_option("--contact", options->contact, "Contact laws: linear, hertz, or C++ files, each with parameters")
-          ->delimiter(',')
-          ->type_name("LAW[:KEY=VALUE],...");
+          ->type_name("LAW[:KEY=VALUE,...],...");
   auto* void_fraction = command->add_option("--void-fraction", options->void_fraction, "Void-fraction schemes")
                             ->delimiter(',')
                             ->type_name("SCHEME,...");
@@ -414,6 +488,7 @@ void add_compare_command(CLI::App& app, const Works& works) {
     int status = 0;
     try {
       const Work& work = find_work(works, options->work);
+      for (auto* list : {&options->drag, &options->contact}) *list = laws_in(*list);
       if (!options->template_kind.empty()) {
         std::cout << read_file(source_folder() / "experiments" / "compare" / "templates" /
                                (options->template_kind + "_law.cpp"));

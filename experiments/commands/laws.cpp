@@ -32,7 +32,12 @@ std::string as_text(const Range& range) {
                                     : fmt::format("{:g} up", range.lower);
 }
 
-json as_json(const LawInfo& info) {
+json as_json(const CatalogueEntry& entry) {
+  const LawInfo& info = entry.info;
+  json parameters = json::array();
+  for (const ParameterInfo& one : entry.parameters)
+    parameters.push_back(
+        {{"name", one.name}, {"of_source", one.of_source}, {"range", as_json(one.range)}, {"meaning", one.meaning}});
   return {{"name", info.name},
           {"kind", to_string(info.kind)},
           {"title", info.title},
@@ -47,7 +52,8 @@ json as_json(const LawInfo& info) {
            {{"reynolds", as_json(info.reynolds)},
             {"voidage", as_json(info.voidage)},
             {"size_ratio", as_json(info.size_ratio)},
-            {"stokes", as_json(info.stokes)}}}};
+            {"stokes", as_json(info.stokes)}}},
+          {"parameters", std::move(parameters)}};
 }
 
 std::vector<const CatalogueEntry*> laws_of(const std::string& kind) {
@@ -197,6 +203,7 @@ void print_text(const CatalogueEntry& entry, const LawArguments& arguments) {
     variants += (variants.empty() ? "" : ", ") + std::string(variant->info.name);
   }
   line("variants", variants);
+  for (const ParameterInfo& parameter : entry.parameters) line("parameter", parameter_text(parameter));
   std::cout << "\nfor\n";
   for (const Argument* argument : arguments_of(entry)) {
     std::cout << fmt::format("  {:<30} {:>12.6g} {:<11} {}\n", argument->name, arguments.*(argument->value),
@@ -214,7 +221,7 @@ void print_text(const CatalogueEntry& entry, const LawArguments& arguments) {
 
 json laws_as_json(const std::string& kind) {
   json laws = json::array();
-  for (const CatalogueEntry* entry : laws_of(kind)) laws.push_back(as_json(entry->info));
+  for (const CatalogueEntry* entry : laws_of(kind)) laws.push_back(as_json(*entry));
   return {{"laws", laws}};
 }
 
@@ -279,7 +286,10 @@ void add_law_command(CLI::App& app) {
   };
   auto options = std::make_shared<Options>();
   CLI::App* command = app.add_subcommand("law", "Show one law and evaluate it");
-  command->add_option("NAME", options->name, "Name of the law, from 'slfb laws'")->required();
+  command
+      ->add_option("NAME", options->name,
+                   "Name of the law, from 'slfb laws', with parameters that it takes: NAME:KEY=VALUE,KEY=VALUE")
+      ->required();
   for (const Argument& argument : all_arguments()) {
     command
         ->add_option(option_name(argument), options->arguments.*argument.value,
@@ -303,6 +313,7 @@ void add_law_command(CLI::App& app) {
       "Examples:\n"
       "  slfb law gidaspow-1994 --voidage 0.5 --re 100\n"
       "  slfb law gidaspow-1994 --voidage 0.5 --re 499.1 --diameter 5e-3 --viscosity 1e-3 --density 998.2 --json\n"
+      "  slfb law ergun-1952:viscous=180,inertial=1.8 --voidage 0.42 --re 100   other constants; the law lists them\n"
       "  slfb law brown-lawler-2003 --re 2238\n"
       "  slfb law van-der-wielen-1996 --voidage 0.46 --superficial-velocity 0.06\n"
       "  slfb law doroodchi-2012-minimum-fluidisation --voidage 0.40\n"

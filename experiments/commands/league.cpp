@@ -83,7 +83,7 @@ void show_league(const LeagueOptions& options) {
   for (const std::string& name : options.drag) {
     const drag::DragLawKernels law = find_drag_law(name);
     marked.emplace_back(law.info.name);
-    if (is_user_law(name)) user.push_back(law);
+    if (is_varied_law(name)) user.push_back(law);
   }
   if (options.asks_for_a_bed()) {
     const league::Bed bed = asked_bed(options);
@@ -237,11 +237,11 @@ void predict(const PredictOptions& options) {
   if (options.scene.empty()) throw CLI::ValidationError("a scene is needed, or --calibration");
   const Scene scene = load_scene(options.scene, options.overrides);
   std::vector<league::Contender> laws = league::contenders();
-  if (is_user_law(options.law))
+  if (is_varied_law(options.law))
     for (league::Contender& contender : league::contenders_of(find_drag_law(options.law)))
       laws.push_back(std::move(contender));
   const auto& lines = league::measured().lines;
-  const std::string name = is_user_law(options.law) ? std::string(find_drag_law(options.law).info.name) : options.law;
+  const std::string name = is_varied_law(options.law) ? std::string(find_drag_law(options.law).info.name) : options.law;
   const league::Contender& law = name.empty() ? league::recommended(laws, lines) : league::find_contender(laws, name);
   double tier_error = 0.0;
   if (law.kind() == league::ContenderKind::drag_law) {

@@ -164,14 +164,14 @@ std::optional<std::vector<Verification>> verify(const Scene& scene, const Plan& 
   return checks;
 }
 
-/// The laws of the league, with that of the scene where it is a file of the user.
+/// The laws of the league, with that of the scene where it is a file of the user or has parameters.
 struct LeagueLaws {
   std::vector<league::Contender> contenders = league::contenders();
   std::string of_the_scene;
 };
 LeagueLaws league_laws(const Scene& scene) {
   LeagueLaws laws{.of_the_scene = scene.coupling.drag_law};
-  if (is_user_law(scene.coupling.drag_law)) {
+  if (is_varied_law(scene.coupling.drag_law)) {
     const drag::DragLawKernels law = find_drag_law(scene.coupling.drag_law);
     laws.of_the_scene = law.info.name;
     for (league::Contender& contender : league::contenders_of(law)) laws.contenders.push_back(std::move(contender));

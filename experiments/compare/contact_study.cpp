@@ -297,9 +297,11 @@ std::vector<ComparedContactLaw> compared_contact_laws(const std::vector<std::str
   std::vector<ComparedContactLaw> laws;
   std::set<std::string> names;
   for (const std::string& argument : arguments) {
-    std::istringstream parts(argument);
-    std::string law;
-    std::getline(parts, law, ':');
+    // LAW:KEY=VALUE,KEY=VALUE; a colon between parameters is the same as a comma.
+    std::string law = argument.substr(0, argument.find(':')), parameters = argument.substr(law.size());
+    if (!parameters.empty()) parameters.erase(0, 1);
+    std::ranges::replace(parameters, ',', ':');
+    std::istringstream parts(parameters);
     ComparedContactLaw compared;
     compared.law = find_contact_law(law);
     compared.name = compared.law.info.name;

@@ -93,7 +93,8 @@ Picture draw_surfaces(const std::vector<ComparedDragLaw>& laws, const fs::path& 
 }
 
 Picture draw_ratios(const ComparedDragLaw& compared, const fs::path& folder) {
-  const std::string id = "ratio_" + compared.name();
+  std::string id = "ratio_" + compared.name();
+  std::ranges::replace(id, ':', '_');
   std::vector<drag::DragLawKernels> others;
   std::vector<std::string> names, columns;
   for (const auto& law : literature()) {

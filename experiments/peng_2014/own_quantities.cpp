@@ -30,6 +30,7 @@ Quantity falling_after(int seconds) {
   quantity.lowest = 0.0;
   quantity.highest = 1.0;
   quantity.yes_or_no = true;
+  quantity.needs = {Recorded::sphere_height};
   return quantity;
 }
 

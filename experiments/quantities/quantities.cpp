@@ -1,5 +1,7 @@
 #include <cmath>
+#include <map>
 #include <numeric>
+#include <string_view>
 
 #include "correlations/collision/collision_frequency/simonin_1991.hpp"
 #include "correlations/collision/radial_distribution/lun_savage_1986.hpp"
@@ -419,6 +421,29 @@ std::vector<Quantity> of_several_runs() {
   };
 }
 
+/// What of a bed of others suffices for a quantity; of what is not here, only runs of this suite have it.
+const std::map<std::string_view, std::vector<Recorded>> sufficient{
+    {"pressure_drop", {Recorded::pressure_drop}},
+    {"bed_top", {Recorded::bed_top}},
+    {"voidage_centre_of_mass", {Recorded::bed_centre_of_mass}},
+    {"voidage_drift", {Recorded::bed_centre_of_mass}},
+    {"voidage_bed_top", {Recorded::bed_top}},
+    {"fluctuating_energy", {Recorded::sphere_velocities}},
+    {"local_fluctuating_energy", {Recorded::sphere_velocities}},
+    {"stokes_number", {Recorded::sphere_velocities}},
+    {"packed_voidage", {Recorded::settled_bed}},
+    {"packed_height", {Recorded::settled_bed}},
+    {"expansion", {Recorded::settled_bed, Recorded::bed_centre_of_mass}},
+    {"classification_velocity", {Recorded::sphere_height}},
+    {"classification_intercept", {Recorded::sphere_height}},
+    {"classification_r2", {Recorded::sphere_height}},
+    {"line_residual", {Recorded::sphere_height}},
+    {"time_to_window", {Recorded::sphere_height}},
+    {"time_to_bottom", {Recorded::sphere_height}},
+    {"bottom_fraction", {Recorded::sphere_height}},
+    {"lateral_travel", {Recorded::sphere_height, Recorded::sphere_path, Recorded::bed_top}},
+};
+
 }  // namespace
 
 const std::vector<Quantity>& general_quantities() {
@@ -426,6 +451,8 @@ const std::vector<Quantity>& general_quantities() {
     std::vector<Quantity> all = of_the_bed();
     for (auto* more : {&of_drops, &of_several_runs})
       for (Quantity& quantity : more()) all.push_back(std::move(quantity));
+    for (Quantity& quantity : all)
+      if (const auto found = sufficient.find(quantity.id); found != sufficient.end()) quantity.needs = found->second;
     return all;
   }();
   return list;

@@ -80,6 +80,17 @@ using OfSystem =
     std::function<std::optional<Measurement>(const Measurements&, const std::string& system, const MeasuringRules&)>;
 /// One number of all systems together.
 using OfAllSystems = std::function<std::optional<Measurement>(const Measurements&)>;
+/// What may be known of a bed of others, of which not all is recorded that this suite records.
+enum class Recorded {
+  pressure_drop,       ///< over time
+  bed_centre_of_mass,  ///< over time
+  bed_top,             ///< over time
+  sphere_velocities,   ///< of the bed, over time
+  settled_bed,         ///< its height and voidage
+  sphere_height,       ///< z of a dropped sphere over time
+  sphere_path,         ///< its x and y too
+};
+
 /// Computed by laws or probes of a work, in no run.
 using OfNoRun = std::monostate;
 
@@ -98,6 +109,8 @@ struct Quantity {
   /// Committed results are thinned; true where it is also found in them, for summaries of before it was thought of.
   bool from_thinned = false;
   BoundOfDrop bound = {};  ///< of drops that have no such number; found in thinned results
+  /// What of a bed of others suffices for it; empty: only what a run of this suite records.
+  std::vector<Recorded> needs = {};
 };
 
 /// The quantities of every fluidised bed and every drop into one (quantities.cpp): adding one is one entry there.

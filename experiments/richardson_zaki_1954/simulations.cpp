@@ -11,8 +11,6 @@
 namespace slfb::richardson_zaki {
 namespace {
 
-constexpr const char* in_narrower_box = "narrower-box";
-
 /// Voidages at whose velocities the quick profile simulates in three dimensions.
 constexpr std::array quick_voidages{0.5, 0.7, 0.9};
 

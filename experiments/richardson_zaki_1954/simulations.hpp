@@ -11,7 +11,8 @@ namespace slfb::richardson_zaki {
 /// voidages; full: all in three dimensions, and boxes of another width; laws: slices with drag laws that are near.
 std::vector<Profile> profiles();
 
-/// Variant of the slices; columns and boxes have none.
+/// Variant of the slices, and of the boxes that are as narrow as slices; columns and boxes of ten diameters have none.
 inline constexpr const char* one_dimensional = "one-dimensional";
+inline constexpr const char* in_narrower_box = "narrower-box";
 
 }  // namespace slfb::richardson_zaki

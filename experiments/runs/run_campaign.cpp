@@ -40,8 +40,9 @@ void archive_scene(const Scene& scene, const std::filesystem::path& directory) {
   for (auto& [law, name] : {std::pair<std::string&, std::string>{archived.coupling.drag_law, "drag_law.cpp"},
                             std::pair<std::string&, std::string>{archived.contact.law, "contact_law.cpp"}}) {
     if (!is_user_law(law)) continue;
-    write_file(directory / name, user_law_text(law));
-    law = name;
+    const std::string file = user_law_file(law);
+    write_file(directory / name, user_law_text(file));
+    law = name + law.substr(file.size());
   }
   write_file(directory / "scene.toml", canonical_toml(archived));
 }

@@ -226,6 +226,7 @@ void Hdf5File::write_values(const std::string& path, const void* values, std::si
   const Handle layout(H5Pcreate(H5P_DATASET_CREATE), H5Pclose);
   if (!space.valid() || !link.valid() || !layout.valid()) fail("describe", path);
   H5Pset_create_intermediate_group(link.get(), 1);
+  H5Pset_obj_track_times(layout.get(), false);  // the same numbers are the same bytes, whenever they are written
   if (count >= compression_threshold) {
     // Whole rows of the slowest index, as many as fit the largest chunk.
     std::vector<hsize_t> chunk = dimensions;

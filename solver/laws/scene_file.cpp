@@ -102,27 +102,29 @@ void check_drag_law(const Scene& scene, Problems& problems) {
   const std::string& law = scene.coupling.drag_law;
   try {
     if (is_user_law(law) && NoForeignCode::holds())
-      user_law_text(law);
+      user_law_text(user_law_file(law));
     else
       find_drag_law(law);
   } catch (const UserLawError& error) {
     problems.add("coupling.drag_law", in_quotes(law), error.what());
-  } catch (const std::invalid_argument&) {
-    problems.add(
-        "coupling.drag_law", in_quotes(law),
-        fmt::format("unknown drag law; allowed is {}, or a file that ends with .cpp", law_names<drag::DragLaws>()));
+  } catch (const std::invalid_argument& error) {
+    problems.add("coupling.drag_law", in_quotes(law), error.what());
   }
 }
 
 std::string place(const std::string& law, const std::string& scene_file) {
-  const std::filesystem::path file(law);
+  const std::filesystem::path file(user_law_file(law));
   if (!is_user_law(law) || file.is_absolute()) return law;
   const auto beside = std::filesystem::path(scene_file).parent_path() / file;
-  return std::filesystem::exists(beside) ? beside.string() : law;
+  return std::filesystem::exists(beside) ? beside.string() + law.substr(file.string().size()) : law;
 }
 
 /// A law from outside the suite is what its file says, not where the file lies.
-std::string identity(const std::string& law) { return is_user_law(law) ? user_law_hash(law) : law; }
+std::string identity(const std::string& law) {
+  if (!is_user_law(law)) return law;
+  const std::string file = user_law_file(law);
+  return user_law_hash(file) + law.substr(file.size());
+}
 
 constexpr description::SceneLaws laws_of_the_suite{contact_key,    check_contact, check_start,
                                                    check_drag_law, place,         identity};

@@ -180,7 +180,11 @@ Kernels law_of_file(const std::string& file, const UserLawKind& kind, const std:
 
 }  // namespace
 
-bool is_user_law(std::string_view name) { return name.ends_with(".cpp"); }
+bool is_user_law(std::string_view name) { return name.substr(0, end_of_law_name(name)).ends_with(".cpp"); }
+
+bool is_varied_law(std::string_view name) { return is_user_law(name) || end_of_law_name(name) < name.size(); }
+
+std::string user_law_file(std::string_view law) { return std::string(law.substr(0, end_of_law_name(law))); }
 
 std::string user_law_text(const fs::path& file) {
   std::set<fs::path> seen;
@@ -195,7 +199,10 @@ NoForeignCode::NoForeignCode() { ++foreign_code_forbidden; }
 NoForeignCode::~NoForeignCode() { --foreign_code_forbidden; }
 bool NoForeignCode::holds() { return foreign_code_forbidden > 0; }
 
-drag::DragLawKernels find_drag_law(const std::string& name_or_file) {
+namespace {
+
+/// A drag law as its source has it.
+drag::DragLawKernels plain_drag_law(const std::string& name_or_file) {
   std::vector<std::string_view> names;
   for_each_law<drag::DragLaws>([&](const auto& law) { names.push_back(law.info.name); });
   if (is_user_law(name_or_file))
@@ -204,6 +211,29 @@ drag::DragLawKernels find_drag_law(const std::string& name_or_file) {
     throw std::invalid_argument(fmt::format("unknown drag law \"{}\"; known: {}, or a file that ends with .cpp",
                                             name_or_file, fmt::join(names, ", ")));
   return drag::with_drag_law(name_or_file, [](auto law) { return drag::kernels_of<decltype(law)>(); });
+}
+
+}  // namespace
+
+drag::DragLawKernels find_drag_law(const std::string& name_or_file) {
+  const LawCall call = parse_law_call(name_or_file);
+  drag::DragLawKernels law = plain_drag_law(call.name);
+  if (call.values.empty()) return law;
+  // Kernels point to the name and to the values: they stay.
+  static std::mutex mutex;
+  struct Varied {
+    std::string name;
+    const void* law;
+  };
+  static std::map<std::string, Varied> laws;
+  const std::lock_guard lock(mutex);
+  const std::string identity = law_call_text(is_user_law(call.name) ? user_law_hash(call.name) : call.name, call);
+  auto found = laws.find(identity);
+  if (found == laws.end())
+    found = laws.emplace(identity, Varied{law_call_text(law.info.name, call), law.with(call)}).first;
+  law.drag.law = law.slip_derivative.law = found->second.law;
+  law.info.name = found->second.name;
+  return law;
 }
 
 dem::ContactLawKernels find_contact_law(const std::string& name_or_file) {

@@ -5,32 +5,29 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 #include <vector>
 
 #include "correlations/fluidisation/bed_expansion.hpp"
 #include "solver/dem/granular_temperature.hpp"
 #include "solver/laws/user_law.hpp"
+#include "solver/run/bed_heights.hpp"
 
 namespace slfb::simulation {
 
 void BedRecorder::measure_packed_bed(const Model& model, bool in_liquid) {
   const dem::Particles& particles = model.particles();
   if (particles.size() == 0) return;
-  // Of spheres that sink from the bottom up, of those that float from the lid down.
-  struct Part {
-    double moment = 0.0, volume = 0.0;
-    [[nodiscard]] double height() const { return volume > 0.0 ? 2.0 * moment / volume : 0.0; }
-  } sunk, floating;
+  std::vector<double> volumes;
+  std::vector<bool> floats;
   for (std::size_t i = 0; i < particles.size(); ++i) {
-    const double own = particles.volume(i), z = particles.position.z[i];
-    const bool floats = in_liquid && particles.mass[i] < scene_.liquid.density * own;
-    Part& part = floats ? floating : sunk;
-    part.moment += own * (floats ? scene_.geometry.height - z : z);
-    part.volume += own;
+    volumes.push_back(particles.volume(i));
+    floats.push_back(in_liquid && particles.mass[i] < scene_.liquid.density * volumes.back());
   }
-  const double volume = sunk.volume + floating.volume;
-  result_.packed_height = sunk.height() + floating.height();
-  result_.packed_voidage = 1.0 - volume / (scene_.geometry.cross_section() * result_.packed_height);
+  const SettledBed settled =
+      settled_bed(particles.position.z, volumes, floats, scene_.geometry.height, scene_.geometry.cross_section());
+  result_.packed_height = settled.height;
+  result_.packed_voidage = settled.voidage;
   double energy = 0.0, mass = 0.0;
   for (std::size_t i = 0; i < particles.size(); ++i) {
     const Vec3 v = particles.velocity.vector(i);
@@ -75,25 +72,23 @@ bool BedRecorder::sample(const Model& model, double time, double superficial_vel
   const dem::Particles& particles = model.particles();
   const dem::Engine& engine = model.engine();
   const std::optional<std::size_t> dropped = model.dropped();
-  std::vector<double> heights;
-  double moment = 0.0, volume = 0.0, contacts = 0.0, events = 0.0;
+  std::vector<double> heights, volumes;
+  double contacts = 0.0, events = 0.0;
   for (std::size_t i = 0; i < particles.size(); ++i) {
     if (i == dropped) continue;
     heights.push_back(particles.position.z[i]);
-    moment += particles.volume(i) * particles.position.z[i];
-    volume += particles.volume(i);
+    volumes.push_back(particles.volume(i));
     contacts += engine.contacts(i);
     events += static_cast<double>(engine.contact_events(i));
   }
   if (heights.empty()) return false;
   const auto n = static_cast<double>(heights.size());
-  const auto top = heights.begin() + static_cast<std::ptrdiff_t>(0.99 * (n - 1.0));
-  std::nth_element(heights.begin(), top, heights.end());
+  const BedHeights measured = bed_heights(std::move(heights), volumes);
   BedSeries& bed = result_.bed;
   bed.time.push_back(time);
   bed.pressure_drop.push_back(model.liquid().inlet_pressure());
-  bed.centre_of_mass_height.push_back(moment / volume);
-  bed.bed_top.push_back(*top);
+  bed.centre_of_mass_height.push_back(measured.centre_of_mass);
+  bed.bed_top.push_back(measured.top);
   const double box = 8.0 * *std::max_element(particles.radius.begin(), particles.radius.end());
   bed.fluctuating_energy.push_back(dem::fluctuating_energy(particles, dropped));
   bed.local_fluctuating_energy.push_back(dem::local_fluctuating_energy(particles, {box, box, box}, dropped));

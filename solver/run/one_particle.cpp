@@ -12,9 +12,9 @@
 #include <numbers>
 #include <stdexcept>
 
-#include "correlations/drag/drag_laws.hpp"
 #include "correlations/materials.hpp"
 #include "solver/dem/lubrication.hpp"
+#include "solver/laws/user_law.hpp"
 #include "solver/scene/scene.hpp"
 
 namespace slfb {
@@ -55,9 +55,7 @@ void check(int flag, const char* what) {
 }  // namespace
 
 std::vector<FallState> integrate_fall(const OneParticleFall& fall, const std::vector<double>& times) {
-  Problem problem{fall, drag::with_drag_law(fall.drag_law, [](auto law) -> std::function<double(drag::SuspensionFlow)> {
-                    return law;
-                  })};
+  Problem problem{fall, find_drag_law(fall.drag_law)};
   SUNContext raw_context = nullptr;
   check(SUNContext_Create(nullptr, &raw_context), "SUNContext_Create");
   const auto free_context = [](SUNContext context) { SUNContext_Free(&context); };

@@ -89,6 +89,11 @@ double parse_quantity(std::string_view text, const Dimension& dimension) {
   return round_to_fifteen_digits(*converted);
 }
 
+std::optional<double> unit_factor(std::string_view unit, std::string_view target) {
+  const auto factor = convert(1.0, std::string(trim(unit)), std::string(target));
+  return factor ? std::optional(round_to_fifteen_digits(*factor)) : std::nullopt;
+}
+
 std::string shortest(double value) { return fmt::format("{}", value); }
 
 std::string with_unit(double value, const Dimension& dimension) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -32,6 +33,9 @@ struct UnitError : std::invalid_argument {
 /// "50 mm" as a length → 0.05. The number is rounded to fifteen significant digits after the conversion, so that
 /// "7.14 mm" and 0.00714 are the same number. Calls from several threads are serialised (UDUNITS-2 keeps one state).
 double parse_quantity(std::string_view text, const Dimension& dimension);
+
+/// What one `unit` is in `target` units, "mm" in "m" → 0.001; empty where it is unknown or measures something else.
+std::optional<double> unit_factor(std::string_view unit, std::string_view target);
 
 /// Shortest decimal that reads back as the same number.
 std::string shortest(double value);

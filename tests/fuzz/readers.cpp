@@ -14,6 +14,8 @@
 #include "experiments/quantities/json_file.hpp"
 #include "experiments/quantities/run_summary.hpp"
 #include "experiments/reference/reference_numbers.hpp"
+#include "experiments/runs/sphere_frames.hpp"
+#include "experiments/work/measured_systems.hpp"
 #include "experiments/work/profiles.hpp"
 #include "solver/io/run_result.hpp"
 #include "solver/laws/scene_file.hpp"
@@ -135,8 +137,18 @@ std::vector<Reader> readers() {
                       if (std::string_view(error.what()).find("--set ") == std::string_view::npos) throw;
                     }
                   }});
-  list.push_back(of_file("measured", {measured_template(claims)},
-                         [claims](const fs::path& file) { (void)load_measured(file, claims); }));
+  const MeasuredSystems systems = measured_systems(work);
+  list.push_back(of_file("measured",
+                         {measured_template(claims, systems),
+                          "[[series]]\nsystem = \"6in5W\"\nsuperficial_velocity = \"6 cm/s\"\ndrops = [\"a.csv\"]\n"},
+                         [claims, systems](const fs::path& file) {
+                           const NoForeignCode guard;
+                           (void)load_measured(file, claims, systems);
+                         }));
+  list.push_back(of_file("spheres",
+                         {"time [ms],x [m],y [m],z [m],id\n0,0,0,1,1\n1,0,0,2,1\n",
+                          "ITEM: TIMESTEP\n10\nITEM: NUMBER OF ATOMS\n1\nITEM: ATOMS id x y z radius\n1 0 0 1 0.5\n"},
+                         [](const fs::path& file) { for_each_frame(file, {}, [](const SphereFrame&) {}); }));
   list.push_back(of_file("claims", {text_of("reference-data/peng_2014/claims.toml")}, [&work](const fs::path& file) {
     (void)load_claims(file, *work.reference, system_names(work));
   }));

@@ -82,6 +82,47 @@ TEST(Catalogue, FlagsWhatLiesOutsideAnyOfTheRanges) {
   EXPECT_TRUE(flagged("tenneti-2011", {.voidage = 0.7, .reynolds = 301.0}));
 }
 
+// By hand: Ergun with 180 and 1.8 at voidage 0.5 and Re 100 is (180 · 0.5 + 1.8 · 100)/(18 · 0.25) = 60.
+TEST(LawParameters, TakeThePlaceOfTheConstantsOfTheSource) {
+  const LawArguments state{.voidage = 0.5, .reynolds = 100.0};
+  const auto drag = [&](std::string_view law) { return find_law(law).evaluate(state).at("dimensionless_drag").value; };
+  EXPECT_NEAR(drag("ergun-1952:viscous=180,inertial=1.8"), 60.0, 1e-12);
+  EXPECT_EQ(drag("ergun-1952:viscous=150"), drag("ergun-1952"));
+  EXPECT_EQ(drag("gidaspow-1994:switch_voidage=0.4"), drag("wen-yu-1966"));
+  EXPECT_EQ(drag("gidaspow-1994:switch_voidage=0.4,exponent=4"), drag("wen-yu-1966:exponent=4"));
+  EXPECT_NEAR(drag("wen-yu-1966:exponent=4.65") / drag("wen-yu-1966"), 2.0, 1e-12);
+  EXPECT_NEAR(drag("di-felice-1994:limit=4.7") / drag("di-felice-1994"), 2.0, 1e-12);
+  EXPECT_EQ(find_law("ergun-1952:viscous=180,inertial=1.8").info.name, "ergun-1952:viscous=180:inertial=1.8");
+  EXPECT_EQ(find_law("richardson-zaki-1954:n=2.4").evaluate(state).at("expansion_exponent").value, 2.4);
+}
+
+TEST(LawParameters, AreChecked) {
+  const auto complaint = [](std::string_view law) -> std::string {
+    try {
+      find_law(law);
+    } catch (const std::invalid_argument& error) {
+      return error.what();
+    }
+    return "no error";
+  };
+  const auto expect = [&](std::string_view law, std::string_view part) {
+    EXPECT_NE(complaint(law).find(part), std::string::npos) << complaint(law);
+  };
+  expect("ergun-1952:viscosity=180", "viscosity is none of its parameters; allowed are viscous (0 to 1000, 150 of");
+  expect("ergun-1952:viscous=-1", "viscous is outside of its range");
+  expect("ergun-1952:viscous=nan", "viscous is outside of its range");
+  expect("ergun-1952:viscous=a", "KEY=NUMBER");
+  expect("ergun-1952:viscous=1,viscous=2", "viscous twice");
+  expect("rong-2013:n=1", "has no parameters");
+  expect("ergun:viscous=1", "unknown law \"ergun\"; known: ergun-1952");
+}
+
+TEST(LawParameters, AListOfLawsIsSplitBetweenLaws) {
+  EXPECT_EQ(split_laws("a,b:x=1,y=2,c.cpp:z=3"), (std::vector<std::string>{"a", "b:x=1,y=2", "c.cpp:z=3"}));
+  EXPECT_EQ(split_laws("a"), std::vector<std::string>{"a"});
+  EXPECT_EQ(parse_law_call("b:x=1:y=2").values, parse_law_call("b:x=1,y=2").values);
+}
+
 // Every family is drawn over arguments that its laws can answer.
 TEST(Catalogue, EveryLawAnswersAlongItsSweep) {
   for (const CatalogueEntry& entry : catalogue()) {

@@ -2,6 +2,7 @@
 #include <signal.h>
 #include <sys/stat.h>
 
+#include <chrono>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
@@ -192,6 +193,13 @@ void write_checked(const std::filesystem::path& file) {
         target.write_attribute("/", "text", std::string("abc"));
       },
       Checksum::whole_file);
+}
+
+TEST_F(Hdf5FileTest, TheSameNumbersAreTheSameBytesWheneverTheyAreWritten) {
+  write_checked(file("now.h5"));
+  std::this_thread::sleep_for(std::chrono::milliseconds(1100));  // HDF5 counts whole seconds
+  write_checked(file("later.h5"));
+  EXPECT_EQ(hostile::bytes_of(file("now.h5")), hostile::bytes_of(file("later.h5")));
 }
 
 TEST_F(Hdf5FileTest, EachChangedByteAndEachMissingEndIsFound) {

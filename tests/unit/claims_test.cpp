@@ -441,11 +441,16 @@ TEST(Junit, BrokenGatesAreFailuresAndMissingRunsAreSkipped) {
   pugi::xml_document document;
   ASSERT_TRUE(document.load_string(text.c_str()));
   const auto suite = document.child("testsuite");
-  EXPECT_EQ(suite.attribute("tests").as_int(), 3);
+  EXPECT_EQ(suite.attribute("tests").as_int(), 4);
   EXPECT_EQ(suite.attribute("failures").as_int(), 1);
-  EXPECT_EQ(suite.attribute("skipped").as_int(), 1);
-  EXPECT_TRUE(suite.find_child_by_attribute("testcase", "name", "fig99.broken").child("failure"));
+  EXPECT_EQ(suite.attribute("skipped").as_int(), 2);
+  const auto failed = suite.find_child_by_attribute("testcase", "name", "fig99.broken");
+  const std::string message = failed.child("failure").attribute("message").value();
+  EXPECT_NE(message.find("ours 10 "), std::string::npos) << message;
+  EXPECT_NE(message.find("allowed [20, 21]"), std::string::npos) << message;
+  EXPECT_GE(failed.attribute("time").as_double(-1.0), 0.0);
   EXPECT_TRUE(suite.find_child_by_attribute("testcase", "name", "fig99.missing").child("skipped"));
+  EXPECT_TRUE(suite.find_child_by_attribute("testcase", "name", "fig99.without").child("skipped"));
 }
 
 /// What load_claims says to a file with this text.

@@ -23,6 +23,7 @@
 #include "experiments/runs/run_files.hpp"
 #include "solver/laws/scene_file.hpp"
 #include "solver/laws/user_law.hpp"
+#include "solver/support/files.hpp"
 #include "tests/unit/synthetic_runs.hpp"
 
 namespace slfb::compare {
@@ -94,7 +95,8 @@ TEST(DragProperties, PlantedFaultsAreFound) {
 
 TEST(DragProperties, AWrongDerivativeIsFound) {
   auto law = drag::kernels_of<Planted<Nothing>>();
-  law.slip_derivative = [](const double* voidage, const double* reynolds, double* result, std::size_t count) {
+  law.slip_derivative.function = [](const void*, const double* voidage, const double* reynolds, double* result,
+                                    std::size_t count) {
     for (std::size_t i = 0; i < count; ++i)
       result[i] = 1.01 * drag::slip_derivative(drag::WenYu1966{}, {voidage[i], reynolds[i]});
   };
@@ -254,6 +256,10 @@ TEST_F(CompareCommand, ErrorsComeBeforeAnyWork) {
   EXPECT_NE(error_of({"--drag", "wen-yu-1966", "--velocities", "0.5"}).find("allowed are 0.06"), std::string::npos);
   EXPECT_NE(error_of({"--void-fraction", "centroid,exact"}).find("exact-overlap"), std::string::npos);
   EXPECT_NE(error_of({"--drag", "wen-yu-1966", "--tier", "4d"}).find("4d"), std::string::npos);
+  EXPECT_NE(error_of({"--drag", "wen-yu-1966:n=3"}).find("exponent (0 to 10, 3.65 of the source)"), std::string::npos);
+  EXPECT_NE(error_of({"--drag", "wen-yu-1966:exponent=30"}).find("outside of its range"), std::string::npos);
+  EXPECT_NE(error_of({"--drag", "rong-2013:exponent=3"}).find("no parameters"), std::string::npos);
+  EXPECT_NE(error_of({"--drag", "wen-yu-1966:exponent=x"}).find("KEY=NUMBER"), std::string::npos);
   EXPECT_NE(error_of({"--drag", "none.cpp"}).find("none.cpp"), std::string::npos);
   EXPECT_NE(error_of({"--drag", "none.txt"}).find("or a file that ends with .cpp"), std::string::npos);
   EXPECT_NE(error_of({"--contact", "linear"}).find("nothing to compare"), std::string::npos);
@@ -285,11 +291,13 @@ TEST_F(CompareCommand, ALawThatFailsInItsOwnRangeStopsTheComparison) {
 TEST_F(CompareCommand, WritesTheReportOfTheCorrelations) {
   const std::string summary = run({"--drag", "gidaspow-1994,di-felice-1994", "--tier", "correlation"});
   EXPECT_NE(summary.find("di-felice-1994"), std::string::npos);
-  const fs::path folder = out_ / "compare" / "drag";
+  const fs::path folder = out_ / "compare" / "drag" / "gidaspow-1994+di-felice-1994_correlation";
   for (const char* file : {"index.html", "claims.csv", "compare.json", "figures/drag_maps.png",
                            "figures/ratio_di-felice-1994.csv", "figures/bed_expansion.svg"})
     EXPECT_TRUE(fs::exists(folder / file)) << file;
   EXPECT_FALSE(fs::exists(out_ / "runs"));
+  const std::string page = read_file(folder / "index.html");
+  EXPECT_LT(page.find(">U_mf [m/s]<"), page.find("<figure")) << "what the terminal shows is at its top";
   std::ifstream stream(folder / "compare.json");
   const auto answer = nlohmann::json::parse(stream);
   EXPECT_EQ(answer.at("candidates").size(), 2u);
@@ -297,10 +305,27 @@ TEST_F(CompareCommand, WritesTheReportOfTheCorrelations) {
   EXPECT_EQ(answer.at("laws").at(1).at("ratio_to").at("di-felice-1994").at("median"), 1.0);
 }
 
+// Ergun's viscous constant up by a fifth: a bed of small spheres is carried by less, and the sweep has a folder of its
+// own.
+TEST_F(CompareCommand, SweepsTheConstantsOfALaw) {
+  run({"--drag", "ergun-1952", "ergun-1952:viscous=180,inertial=1.75", "ergun-1952:viscous=150", "--tier",
+       "correlation"});
+  const fs::path drag = out_ / "compare" / "drag";
+  ASSERT_EQ(std::distance(fs::directory_iterator(drag), {}), 1);
+  std::ifstream stream(fs::directory_iterator(drag)->path() / "compare.json");
+  const auto answer = nlohmann::json::parse(stream);
+  const auto umf = [&](std::size_t law) {
+    return answer.at("laws").at(law).at("minimum_fluidisation_velocity").get<double>();
+  };
+  EXPECT_LT(umf(1), umf(0));
+  EXPECT_EQ(umf(2), umf(0)) << "the value of the source";
+}
+
 // The steel sphere falls at Re of thousands: inside the range of Di Felice's law, outside that of Tenneti's.
 TEST_F(CompareCommand, DrawsALawOutsideItsRangeApart) {
   run({"--drag", "di-felice-1994,tenneti-2011", "--tier", "correlation"});
-  std::ifstream stream(out_ / "compare" / "drag" / "figures" / "classification.csv");
+  std::ifstream stream(out_ / "compare" / "drag" / "di-felice-1994+tenneti-2011_correlation" / "figures" /
+                       "classification.csv");
   std::string line;
   std::getline(stream, line);
   ASSERT_TRUE(line.ends_with(
@@ -321,7 +346,7 @@ TEST_F(CompareCommand, WritesTheReportOfTwoBodies) {
   const std::string summary = run({"--contact", "hertz", "--tier", "correlation"});
   EXPECT_NE(summary.find("restitution at 0.1 m/s"), std::string::npos) << summary;
   EXPECT_NE(summary.find("hertz: outside its range"), std::string::npos) << summary;
-  const fs::path folder = out_ / "compare" / "contact";
+  const fs::path folder = out_ / "compare" / "contact" / "linear+hertz_correlation";
   for (const char* file : {"index.html", "compare.json", "figures/one_collision.png", "figures/impact_speed.csv",
                            "figures/oblique_impact.svg", "figures/wet_restitution.gp"})
     EXPECT_TRUE(fs::exists(folder / file)) << file;
@@ -356,7 +381,7 @@ TEST_F(CompareCommand, ComparesVoidFractionSchemesByTheirRuns) {
   const std::string summary = run({"--void-fraction", "exact-overlap,particle-meshing,centroid", "--experiments",
                                    "table2", "--velocities", "0.10"});
   EXPECT_NE(summary.find("claims better"), std::string::npos) << summary;
-  const fs::path folder = out_ / "compare" / "void-fraction";
+  const fs::path folder = out_ / "compare" / "void-fraction" / "exact-overlap+particle-meshing+centroid_1d_table2_0.1";
   for (const char* file : {"index.html", "claims.csv", "figures/simulated_classification.png",
                            "figures/collision_force.svg", "figures/collision_frequency_simulated_3.csv"})
     EXPECT_TRUE(fs::exists(folder / file)) << file;

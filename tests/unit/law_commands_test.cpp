@@ -117,6 +117,17 @@ TEST(LawCommand, GivesTheDerivativeOfTheDragWithRespectToTheSlip) {
   EXPECT_EQ(answer.at("units").at("drag_force_per_slip"), "N s/m");
 }
 
+// By hand: (180 · 0.5 + 1.8 · 100)/(18 · 0.25) = 60.
+TEST(LawCommand, TakesOtherConstants) {
+  const auto answer =
+      json::parse(run({"law", "ergun-1952:viscous=180,inertial=1.8", "--voidage", "0.5", "--re", "100", "--json"}));
+  EXPECT_NEAR(answer.at("dimensionless_drag").get<double>(), 60.0, 1e-12);
+  EXPECT_NE(run({"law", "ergun-1952", "--voidage", "0.5", "--re", "1"}).find("viscous (0 to 1000, 150 of the source)"),
+            std::string::npos);
+  EXPECT_NE(error_of({"law", "ergun-1952:viscos=180", "--voidage", "0.5", "--re", "1"}).find("viscous"),
+            std::string::npos);
+}
+
 TEST(LawCommand, TheAssumedTransitionIsAnArgument) {
   const auto force = [](const char* transition) {
     return json::parse(run({"law", "grbavcic-2009-force", "--transition", transition, "--json"}));

@@ -11,6 +11,7 @@
 #include "experiments/league/prediction.hpp"
 #include "experiments/league/scene_bed.hpp"
 #include "experiments/league/standings.hpp"
+#include "experiments/numerics/plan/plan.hpp"
 #include "experiments/richardson_zaki_1954/work.hpp"
 #include "experiments/runs/run_files.hpp"
 #include "experiments/work/profiles.hpp"
@@ -293,6 +294,19 @@ TEST(SecondWorkOfTheSuite, PublishedRunsAreThoseOfItsScenes) {
     EXPECT_TRUE(profile.goes_on_from_published) << name;
     for (const FinishedRun& run : finished_runs(profile, nothing_of_this_machine.path()))
       EXPECT_FALSE(run.stale) << name << ": " << run_key(run.spec) << " was made from another scene";
+  }
+}
+
+TEST(SecondWorkOfTheSuite, APlanOfAnyRunIsAValidScene) {
+  // The plan has other steps of the liquid than the scene, and a run counts its times in them.
+  const plan::Rules rules = plan::load_rules();
+  for (const RunSpec& run : load_profile(richardson_zaki_1954_work(), "quick").runs) {
+    const Scene scene = load_run_scene(run);
+    const plan::Plan made = plan::make_plan(scene, {"voidage"}, rules);
+    const Scene planned = plan::changed(scene, made.overrides);
+    const double samples = planned.recording.bed_interval / planned.fluid.time_step;
+    EXPECT_NEAR(samples, std::round(samples), 1e-6) << run_key(run);
+    EXPECT_NEAR(planned.recording.bed_interval, scene.recording.bed_interval, planned.fluid.time_step) << run_key(run);
   }
 }
 

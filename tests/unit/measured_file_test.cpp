@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <fstream>
+#include <limits>
 #include <string>
 
 #include "experiments/peng_2014/work.hpp"
@@ -81,12 +82,33 @@ TEST_F(MeasuredFile, ComplainsWithFileAndLine) {
   EXPECT_NE(unknown.find("mine.toml:2: measure"), std::string::npos) << unknown;
   EXPECT_NE(unknown.find("classification_velocity/6in5W/0.10"), std::string::npos) << unknown;
   const std::string unit =
-      complaint("[[measured]]\nmeasure = \"classification_velocity/6in5W/0.10\"\nvalue = 21.4\nunit = \"cm/s\"\n");
+      complaint("[[measured]]\nmeasure = \"classification_velocity/6in5W/0.10\"\nvalue = 21.4\nunit = \"cm\"\n");
   EXPECT_NE(unit.find("mine.toml:4: unit"), std::string::npos) << unit;
   EXPECT_NE(unit.find("\"m/s\""), std::string::npos) << unit;
   EXPECT_NE(complaint(with_value(0.214) + with_value(0.214)).find("twice"), std::string::npos);
   EXPECT_NE(complaint(with_value(0.214) + "half_with = 1\n").find("half_with"), std::string::npos);
   EXPECT_NE(complaint("").find("no [[measured]]"), std::string::npos);
+}
+
+TEST_F(MeasuredFile, TakesAnyUnitOfItsKind) {
+  const Measurements measured = load(
+      "[[measured]]\nmeasure = \"classification_velocity/6in5W/0.10\"\nvalue = 21.4\nhalf_width = 0.4\n"
+      "unit = \"cm/s\"\n");
+  ASSERT_EQ(measured.size(), 1U);
+  EXPECT_NEAR(measured.begin()->second.value, 0.214, 1e-15);
+  EXPECT_NEAR(measured.begin()->second.half_width, 0.004, 1e-15);
+  EXPECT_EQ(measured.begin()->second.unit, "m/s");
+}
+
+TEST_F(MeasuredFile, ReadsBackWhatItWrites) {
+  Measurements measured = load(with_value(0.214));
+  measured.begin()->second.interval = {0.2, std::numeric_limits<double>::infinity()};
+  const Measurements again = load(measured_text(measured));
+  ASSERT_EQ(again.size(), 1U);
+  EXPECT_EQ(again.begin()->first, measured.begin()->first);
+  EXPECT_EQ(again.begin()->second.value, measured.begin()->second.value);
+  EXPECT_EQ(again.begin()->second.half_width, measured.begin()->second.half_width);
+  EXPECT_EQ(again.begin()->second.interval, measured.begin()->second.interval);
 }
 
 // What the template prints is a file of the right form, with nothing measured; its measures are those of the claims.

@@ -26,7 +26,9 @@ class UserLaw : public UserLawFiles {
   static std::string error_of(const std::string& law) {
     try {
       find_drag_law(law);
-    } catch (const UserLawError& error) {
+    } catch (const std::runtime_error& error) {  // UserLawError is one
+      return error.what();
+    } catch (const std::invalid_argument& error) {
       return error.what();
     }
     return "";
@@ -169,7 +171,7 @@ std::string failure_with(const Scene& scene, const fs::path& out) {
 
 TEST_F(UserLawInAScene, WhatALawDoesWrongIsSaidOfTheLaw) {
   const std::string law = "#include <stdexcept>\n" + law_template("drag"),
-                    formula = "return one_sphere * pow(flow.voidage, -3.65);";
+                    formula = "return one_sphere * pow(flow.voidage, -exponent);";
   const auto expect = [&](const std::string& name, const std::string& body, const std::string& part) {
     const std::string source = file(name, replaced(law, formula, body));
     const std::string message = failure_with(sphere(source), folder_);
@@ -185,8 +187,18 @@ TEST_F(UserLawInAScene, WhatALawDoesWrongIsSaidOfTheLaw) {
   expect("number.cpp", "if (flow.voidage > 0.1) throw 1; return one_sphere;", "throws something");
 }
 
+// F of the template is (1 + 0.15 Re^0.687) ε^−n with n = 3.65, which it declares as a parameter.
+TEST_F(UserLaw, DeclaresParametersOfItsOwn) {
+  const std::string source = file("mine.cpp", law_template("drag"));
+  const drag::DragLawKernels usual = find_drag_law(source), other = find_drag_law(source + ":exponent=2.65");
+  EXPECT_EQ(other.info.name, "my-law:exponent=2.65");
+  for (const double voidage : {0.4, 0.7, 1.0})
+    EXPECT_NEAR(other({voidage, 50.0}) / usual({voidage, 50.0}), voidage, 1e-14);
+  EXPECT_NE(error_of(source + ":power=2").find("exponent (0 to 10, 3.65 of the source)"), std::string::npos);
+}
+
 TEST_F(UserLaw, WhatCannotBeALawIsSaidSoon) {
-  const std::string law = law_template("drag"), formula = "return one_sphere * pow(flow.voidage, -3.65);";
+  const std::string law = law_template("drag"), formula = "return one_sphere * pow(flow.voidage, -exponent);";
   const auto expect = [&](const std::string& source, const std::string& part) {
     const std::string message = error_of(source);
     EXPECT_NE(message.find(source), std::string::npos) << message;

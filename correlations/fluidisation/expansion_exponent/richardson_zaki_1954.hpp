@@ -1,9 +1,11 @@
 #pragma once
 
+#include <array>
 #include <cmath>
 
 #include "correlations/fluidisation/expansion_exponent/expansion_conditions.hpp"
 #include "correlations/law.hpp"
+#include "correlations/law_parameters.hpp"
 
 namespace slfb::fluidisation {
 
@@ -29,8 +31,16 @@ struct RichardsonZaki1954 {
                                 .note = "stated for d/D < 0.04; the bed of Peng 2014 has 0.06 to 0.1",
                                 .size_ratio = {0.0, 0.04}};
 
+  double n = 0.0;  ///< in place of the formula; 0: by the formula
+
+  static constexpr auto parameters() {
+    return std::array{LawParameter<RichardsonZaki1954>{
+        "n", &RichardsonZaki1954::n, {0.0, 10.0}, "a constant exponent in place of the formula; 0: by the formula"}};
+  }
+
   /// \return n [-]
   double operator()(const ExpansionConditions& conditions) const {
+    if (n > 0.0) return n;
     const double re = conditions.terminal_reynolds;
     const double wall = conditions.diameter_ratio;
     if (re < 0.2) return 4.65 + 19.5 * wall;

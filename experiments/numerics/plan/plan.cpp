@@ -80,6 +80,29 @@ double rounded_down(double value) {
   return decade;
 }
 
+/// Times that a run counts in liquid steps, where a scene with steps of this length may not have them: the nearest
+/// whole number of steps. Intervals that the scene leaves at their defaults adapt by themselves.
+Overrides in_whole_steps(const Scene& scene, double liquid_step) {
+  constexpr double rounding = 1e-3, none = 1e-9;  // that the checks of a scene allow
+  Overrides times;
+  const auto adapt = [&](const std::string& key, double time, double allowed) {
+    const double whole = std::max(1.0, std::round(time / liquid_step)) * liquid_step;
+    if (time > 0.0 && std::abs(whole - time) > allowed * time) times.push_back(fmt::format("{}={} s", key, whole));
+  };
+  const Recording& recording = scene.recording;
+  if (recording.bed_interval != Recording{}.bed_interval)
+    adapt("recording.bed_interval", recording.bed_interval, rounding);
+  if (recording.drop_interval != Recording{}.drop_interval)
+    adapt("recording.drop_interval", recording.drop_interval, rounding);
+  adapt("recording.snapshot_interval", recording.snapshot_interval, rounding);
+  adapt("coupling.void_fraction_interval", scene.coupling.void_fraction_interval, none);
+  for (std::size_t i = 0; i < scene.stages.size(); ++i) {
+    adapt(fmt::format("stage[{}].duration", i), scene.stages[i].duration, rounding);
+    adapt(fmt::format("stage[{}].relaxation", i), scene.stages[i].relaxation, rounding);
+  }
+  return times;
+}
+
 bool holds(const Rule& rule, const std::vector<Number>& numbers, const std::vector<std::string>& asked) {
   for (const auto& condition : rule.when) {
     const auto number = std::ranges::find(numbers, condition.number, &Number::name);
@@ -323,8 +346,10 @@ Plan make_plan(const Scene& scene, const std::vector<std::string>& asked, const 
     if (rule->liquid_steps_per_relaxation > 0.0)
       plan.decisions[decision].overrides = {fmt::format("fluid.time_step={}", liquid_step)};
   values.push_back(fmt::format("contact.time_step={}", solid_step));
-  values.push_back(
-      fmt::format("fluid.time_step={}", planned.fluid.tier == FluidTier::quiescent ? solid_step : liquid_step));
+  const double step = planned.fluid.tier == FluidTier::quiescent ? solid_step : liquid_step;
+  values.push_back(fmt::format("fluid.time_step={}", step));
+  const Overrides times = in_whole_steps(planned, step);
+  values.insert(values.end(), times.begin(), times.end());
   plan.overrides = values;
   planned = changed(scene, values);
   plan.core_seconds = core_seconds(planned);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "experiments/figures/figure_folder.hpp"
 #include "experiments/figures/figure_support.hpp"
@@ -52,6 +53,44 @@ class Errors {
   int points_ = 0;
 };
 
+/// Smallest and largest of what two models differ by.
+class Differences {
+ public:
+  void add(double difference) {
+    smallest_ = std::min(smallest_, difference);
+    largest_ = std::max(largest_, difference);
+    ++count_;
+  }
+  [[nodiscard]] std::string text() const { return fmt::format("{:+.3f} to {:+.3f}", smallest_, largest_); }
+  [[nodiscard]] int count() const { return count_; }
+
+ private:
+  double smallest_ = HUGE_VAL, largest_ = -HUGE_VAL;
+  int count_ = 0;
+};
+
+/// What the width of a model and its dimensions do to the voidage, where one bed has all three models at one velocity.
+std::string width_text(const FigureContext& context) {
+  Differences by_width, by_dimension;
+  for (const ExpansionLine& line : beds())
+    for (const auto& narrow : simulated(context, line.name, in_narrower_box).rows) {
+      const auto at_same_velocity = [&](const std::string& variant) -> std::optional<double> {
+        for (const auto& row : simulated(context, line.name, variant).rows)
+          if (row[0] == narrow[0]) return row[1];
+        return std::nullopt;
+      };
+      const auto box = at_same_velocity(""), slice = at_same_velocity(one_dimensional);
+      if (!box || !slice) continue;
+      by_width.add(narrow[1] - *box);
+      by_dimension.add(*slice - narrow[1]);
+    }
+  if (by_width.count() == 0) return "";
+  return fmt::format(
+      " In a box of six diameters in three dimensions the voidage is {} from that in ten diameters, in a slice of six "
+      "diameters {} from that in the box of the same width ({} beds).",
+      by_width.text(), by_dimension.text(), by_width.count());
+}
+
 FigureOutput draw(const FigureContext& context) {
   const auto keys = needs(context.profile);
   FigureOutput output{"expansion", {}, "", run_notes(context, keys)};
@@ -91,8 +130,8 @@ FigureOutput draw(const FigureContext& context) {
   output.caption = folder.caption(
       {{"agreement",
         fmt::format("Errors of the voidage: three dimensions {}; slices {}. Two columns of the measurements "
-                    "differ by {:.3f}.",
-                    in_columns.text(), in_slices.text(), 2.0 * voidage_band())}});
+                    "differ by {:.3f}.{}",
+                    in_columns.text(), in_slices.text(), 2.0 * voidage_band(), width_text(context))}});
   PlotValues values;
   values.texts("name", names);
   values.files("measured", lines);
