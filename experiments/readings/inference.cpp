@@ -6,7 +6,10 @@
 #include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <iterator>
 #include <limits>
+#include <map>
 #include <numbers>
 #include <set>
 #include <stdexcept>
@@ -395,11 +398,27 @@ Widths measure_widths(const std::vector<PrintedNumber>& numbers, const std::vect
 
 std::vector<bool> reached_by_any(const std::vector<PrintedNumber>& numbers, const std::vector<ReadingRuns>& runs,
                                  const Widths& widths) {
-  std::vector<bool> reached;
+  // By number: the readings that come near it.
+  std::vector<std::set<std::size_t>> near(numbers.size());
   for (std::size_t i = 0; i < numbers.size(); ++i)
-    reached.push_back(std::ranges::any_of(runs, [&](const ReadingRuns& one) {
-      return compare(numbers[i], i, one, widths).implausibility <= implausible;
-    }));
+    for (std::size_t r = 0; r < runs.size(); ++r)
+      if (compare(numbers[i], i, runs[r], widths).implausibility <= implausible) near[i].insert(r);
+  std::vector<bool> reached;
+  for (const auto& readings : near) reached.push_back(!readings.empty());
+
+  std::map<std::string, std::vector<std::size_t>> calibration;
+  for (std::size_t i = 0; i < numbers.size(); ++i)
+    if (numbers[i].part == Part::calibration && reached[i]) calibration[numbers[i].block].push_back(i);
+  for (auto& [block, members] : calibration) {
+    std::ranges::stable_sort(members, std::greater{}, [&](std::size_t i) { return near[i].size(); });
+    std::set<std::size_t> together = near[members.front()];
+    for (const std::size_t i : members) {
+      std::set<std::size_t> rest;
+      std::ranges::set_intersection(together, near[i], std::inserter(rest, rest.end()));
+      reached[i] = !rest.empty();
+      if (reached[i]) together = std::move(rest);
+    }
+  }
   return reached;
 }
 

@@ -82,8 +82,10 @@ inline constexpr double implausible = 3.0;
 /// Standard errors within which 95 of 100 Gaussian values lie.
 inline constexpr double inside_95_percent = 1.96;
 
-/// Numbers that no reading comes near (implausibility above `implausible` for all that were run): they tell readings
-/// apart no more than a mistake in the print does, and count in neither rule nor likelihood.
+/// Numbers that some reading comes near (implausibility of at most `implausible`). One that none comes near tells
+/// readings apart no more than a mistake in the print does, and counts in neither rule nor likelihood. Nor does a
+/// calibration number that only such readings come near as miss the other calibration numbers of its block: there the
+/// print contradicts itself by all readings, and the number that more of them come near counts.
 std::vector<bool> reached_by_any(const std::vector<PrintedNumber>& numbers, const std::vector<ReadingRuns>& runs,
                                  const Widths& widths);
 

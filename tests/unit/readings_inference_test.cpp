@@ -240,6 +240,19 @@ TEST(Assessment, NumbersThatNobodyReachesAreNamed) {
             (std::vector<bool>{true, false}));
 }
 
+// Three readings have the height, one alone the pressure drop, and that one misses the height: the print contradicts
+// itself by all readings, and what nearly none has cannot rule out the others.
+TEST(Assessment, ANumberThatOnlyImplausibleReadingsReachDoesNotCount) {
+  const Widths widths = widths_of(Eigen::MatrixXd::Identity(2, 2) * 0.01, 20);
+  const std::vector<PrintedNumber> numbers{printed(1.0, Part::calibration, "height", "bed"),
+                                           printed(1.0, Part::calibration, "pressure", "bed")};
+  std::vector<ReadingRuns> runs{
+      {{0}, {{0.1}, {2.0}}}, {{1}, {{0.0}, {3.0}}}, {{2}, {{-0.1}, {3.0}}}, {{3}, {{2.0}, {0.1}}}};
+  EXPECT_EQ(reached_by_any(numbers, runs, widths), (std::vector<bool>{true, false}));
+  runs.push_back({{4}, {{0.1}, {0.1}}});
+  EXPECT_EQ(reached_by_any(numbers, runs, widths), (std::vector<bool>{true, true}));
+}
+
 /// A world of four choices: a moves the speed, b the height, c both, d nothing. `scatter` of one drop.
 std::vector<ReadingRuns> world(double scatter, unsigned seed) {
   std::mt19937 generator(seed);
