@@ -108,7 +108,13 @@ void check_drag_law(const Scene& scene, Problems& problems) {
   } catch (const UserLawError& error) {
     problems.add("coupling.drag_law", in_quotes(law), error.what());
   } catch (const std::invalid_argument& error) {
-    problems.add("coupling.drag_law", in_quotes(law), error.what());
+    const std::string name = law.substr(0, end_of_law_name(law));
+    bool known = false;
+    for_each_law<drag::DragLaws>([&](const auto& one) { known = known || one.info.name == name; });
+    problems.add("coupling.drag_law", in_quotes(law),
+                 known ? error.what()
+                       : fmt::format("unknown drag law; allowed is {}, or a file that ends with .cpp",
+                                     law_names<drag::DragLaws>()));
   }
 }
 

@@ -241,7 +241,7 @@ INSTANTIATE_TEST_SUITE_P(
                 "gives cells of 0.002381 m, smaller than half the smallest sphere, so that a cell could hold no liquid "
                 "at all; allowed are cells of 0.0025 m or more"},
         Mistake{"drag_law = \"gidaspow-1994\"", "drag_law = \"gidaspow\"", "coupling.drag_law", "\"gidaspow\"",
-                "unknown drag law \"gidaspow\"; known: ergun-1952"},
+                "unknown drag law; allowed is ergun-1952"},
         Mistake{"drag_law = \"gidaspow-1994\"", "drag_law = \"gidaspow-1994:viscos=180\"", "coupling.drag_law",
                 "\"gidaspow-1994:viscos=180\"", "allowed are viscous (0 to 1000, 150 of the source)"},
         Mistake{"smoothing_length = 0", "void_fraction_interval = \"0.15 ms\"", "coupling.void_fraction_interval",
