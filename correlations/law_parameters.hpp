@@ -42,7 +42,7 @@ template <class Law>
 std::vector<ParameterInfo> parameters_of() {
   std::vector<ParameterInfo> all;
   if constexpr (HasParameters<Law>)
-    for (const LawParameter<Law>& one : Law::parameters())
+    for (const auto& one : Law::parameters())  // LawParameter of this law, or of one that it derives from
       all.push_back({one.name, Law{}.*one.value, one.range, one.meaning});
   return all;
 }
@@ -121,7 +121,7 @@ Law with_values(const LawCall& call) {
     };
     bool found = false;
     if constexpr (HasParameters<Law>)
-      for (const LawParameter<Law>& one : Law::parameters())
+      for (const auto& one : Law::parameters())  // LawParameter of this law, or of one that it derives from
         if (one.name == key) {
           found = true;
           if (!std::isfinite(value) || !one.range.contains(value)) complain("is outside of its range");

@@ -35,6 +35,6 @@ set xtics 0.04, 0.01
 set ytics 200
 unset key
 set arrow 1 from crossing, graph 0 to crossing, plateau nohead linestyle 1 linewidth 0.8
-set label 1 sprintf('paper: U_{mf} = %.4f m/s', crossing) at crossing, plateau offset 0,0.8 font ',11'
+set label 1 sprintf('paper: U_{mf} = %.4f m/s', crossing) at crossing, graph 0.1 offset 0.6,0 font ',11'
 plot @curves
 unset multiplot

@@ -26,6 +26,7 @@ const FigureFolder folder{"peng_2014/most_likely"};
 constexpr std::array profiles{"packed", "screening", "candidates"};
 constexpr const char* of_the_default = "full";
 constexpr std::size_t shown_readings = 14, curves = 3;
+constexpr std::ptrdiff_t compared = 3;  ///< readings that have a number, for a column of its own
 constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
 std::vector<std::string> needs(const Profile& profile) {
@@ -89,12 +90,13 @@ FigureOutput draw(const FigureContext& outer) {
                       run_notes(context, keys),
                       {},
                       readings::study_text(study)};
-  // Numbers of which something is known, as columns.
+  // Numbers that readings can be compared by, as columns.
   std::vector<std::size_t> numbers;
   std::vector<std::string> number_titles;
   for (std::size_t i = 0; i < study.evidence.size(); ++i)
-    if (std::ranges::any_of(study.readings,
-                            [&](const StudiedReading& one) { return one.assessment.comparisons[i].samples > 0; })) {
+    if (std::ranges::count_if(study.readings, [&](const StudiedReading& one) {
+          return one.assessment.comparisons[i].samples > 0;
+        }) >= compared) {
       numbers.push_back(i);
       number_titles.push_back(study.evidence[i].printed.title);
     }
