@@ -71,8 +71,8 @@ class Mutator {
 };
 
 std::vector<std::string> reader_names() {
-  return {"scene", "overrides",   "measured", "claims", "rules",  "profiles",      "values",
-          "table", "noise-study", "summary",  "json",   "result", "sealed-result", "checkpoint"};
+  return {"scene", "overrides",   "measured", "spheres", "claims", "rules",         "profiles",  "values",
+          "table", "noise-study", "summary",  "json",    "result", "sealed-result", "checkpoint"};
 }
 
 class Fuzz : public testing::TestWithParam<std::string> {};
