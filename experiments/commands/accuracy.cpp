@@ -267,9 +267,9 @@ int answer_by_formula(const AccuracyOptions& options, const Expectation& expecte
     return 0;
   }
   for (const auto& [quantity, answer] : expected.answers)
-    fmt::print("{} = {:.6g} ± {:.2g} by {}{}; nothing to simulate\n", quantity, answer.value,
+    fmt::print("{} = {:.6g} ± {:.2g} by {}; nothing to simulate\n{}", quantity, answer.value,
                answer.value * expected.parts.at(quantity).total(), expected.plan.decisions.front().choice,
-               answer.remark.empty() ? "" : ", " + answer.remark);
+               answer.remark.empty() ? "" : fmt::format("    {}\n", answer.remark));
   return 0;
 }
 

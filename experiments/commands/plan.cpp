@@ -278,9 +278,9 @@ void print_plan(const Options& options, const Scene& scene, const Plan& made) {
              format_duration(made.given_core_seconds));
   if (made.by_formula) {
     for (const auto& [quantity, answer] : plan::answer_by_formula(scene, made))
-      fmt::print("answer                  {} = {:.6g}{}{}\n", quantity, answer.value,
+      fmt::print("answer                  {} = {:.6g}{}\n{}", quantity, answer.value,
                  answer.error > 0.0 ? fmt::format(" ± {:.2g} %", 100.0 * answer.error) : "",
-                 answer.remark.empty() ? "" : ", " + answer.remark);
+                 answer.remark.empty() ? "" : fmt::format("{:<24}{}\n", "", answer.remark));
   } else {
     fmt::print("to run it               slfb run {} --plan auto --for {}{}\n", options.scene.string(),
                fmt::join(made.asked, ","), options.keep_forces ? " --keep-forces" : "");

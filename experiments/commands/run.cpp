@@ -264,8 +264,8 @@ int run(const Options& options) {
                         options.keep_forces ? plan::Forces::of_the_scene : plan::Forces::planned);
     if (made.by_formula) {
       for (const auto& [quantity, answer] : plan::answer_by_formula(scene, made))
-        fmt::print("{} = {:.6g} by {}{}; nothing to simulate\n", quantity, answer.value, made.decisions.front().choice,
-                   answer.remark.empty() ? "" : ", " + answer.remark);
+        fmt::print("{} = {:.6g} by {}; nothing to simulate\n{}", quantity, answer.value, made.decisions.front().choice,
+                   answer.remark.empty() ? "" : fmt::format("    {}\n", answer.remark));
       return 0;
     }
     scene = plan::changed(scene, made.overrides);

@@ -250,6 +250,19 @@ TEST(Plan, TheMinimumFluidisationVelocityIsOfThePackingThatSettles) {
   EXPECT_NEAR(settled.voidage, whole, 4.0 * settled.half_width);
 }
 
+// A sphere that a law of walls holds back falls as much slower as the law says, and one without is told what they would
+// take: by Munroe (1888), 1 − (d/D)^1.5 of the velocity in Newton's regime stays.
+TEST(Plan, ATerminalVelocityKnowsItsWalls) {
+  const auto rules = plan::load_rules();
+  const auto answer = [&](const Overrides& overrides) {
+    const Scene scene = load_scene(source_folder() / "experiments/scenes/single_sphere.toml", overrides);
+    return plan::answer_by_formula(scene, plan::make_plan(scene, {"terminal_velocity"}, rules)).at("terminal_velocity");
+  };
+  const auto free = answer({}), held = answer({"coupling.wall_retardation=munroe-1888"});
+  EXPECT_NEAR(held.value / free.value, 1.0 - std::pow(6.0 / 50.0, 1.5), 1e-9);
+  EXPECT_NE(free.remark.find("munroe-1888"), std::string::npos);
+}
+
 // A hundredth of the Archimedes number is farther from the studies than a tenth.
 TEST(Plan, ErrorsGrowWithTheDistanceFromTheStudies) {
   plan::Rules rules;

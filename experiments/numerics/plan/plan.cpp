@@ -11,6 +11,8 @@
 #include <stdexcept>
 
 #include "correlations/fluidisation/bed_expansion.hpp"
+#include "correlations/fluidisation/fluidisation_laws.hpp"
+#include "correlations/law_list.hpp"
 #include "correlations/materials.hpp"
 #include "experiments/numerics/plan/settled_bed.hpp"
 #include "experiments/runs/run_estimate.hpp"
@@ -82,6 +84,28 @@ void add_momentum_at_inlet(const Scene& scene, Forces forces, Plan& plan) {
   }
   plan.effect["pressure_drop"] = std::hypot(plan.effect["pressure_drop"], decision.effect.at("pressure_drop"));
   plan.decisions.push_back(std::move(decision));
+}
+
+/// Share of its velocity that a sphere keeps in a tube, by a law of the catalogue.
+double kept_in_tube(const std::string& law, double diameter_ratio) {
+  return with_law<fluidisation::WallCorrectionLaws>("wall law", law,
+                                                    [&](auto correction) { return correction(diameter_ratio); });
+}
+
+/// A terminal velocity as the scene has its walls: by its law, or without them, and then with what they would take.
+FormulaAnswer beside_walls(const Scene& scene, const Species& sphere, double unbounded) {
+  if (scene.geometry.shape != Shape::cylinder) return {unbounded};
+  const double ratio = sphere.diameter / scene.geometry.diameter;
+  if (scene.coupling.wall_retardation != "none")
+    return {unbounded * kept_in_tube(scene.coupling.wall_retardation, ratio), 0.0,
+            "less what the tube takes by " + scene.coupling.wall_retardation};
+  constexpr double newtons_regime = 1000.0;  // above which Munroe's law holds; the other is for creeping flow
+  const bool fast = reynolds_number(liquid_of(scene), sphere.diameter, unbounded) > newtons_regime;
+  const std::string law = fast ? "munroe-1888" : "haberman-sayre-1958";
+  if (ratio >= 0.5) return {unbounded, 0.0, "without walls, which hold such a sphere back"};
+  return {unbounded, 0.0,
+          fmt::format("without walls, as coupling.wall_retardation says; this tube takes {}{:.2g} % off by {}",
+                      fast ? "" : "up to ", 100.0 * (1.0 - kept_in_tube(law, ratio)), law)};
 }
 
 /// 1, 2 or 5 times a power of ten, never above the value: steps that people can read.
@@ -450,7 +474,8 @@ std::map<std::string, FormulaAnswer> answer_by_formula(const Scene& scene, const
       fall.drag_law = scene.coupling.drag_law;
       // Thirty relaxation times, after which nothing changes any more.
       const double relaxation = std::ranges::find(plan.numbers, "relaxation_time", &Number::name)->value;
-      answers[quantity] = {-integrate_fall(fall, {0.0, 30.0 * relaxation}).back().velocity};
+      const double unbounded = -integrate_fall(fall, {0.0, 30.0 * relaxation}).back().velocity;
+      answers[quantity] = beside_walls(scene, sphere, unbounded);
     } else if (quantity == "minimum_fluidisation_velocity") {
       const SettledBed bed = settle(scene);
       const auto at = [&](double voidage) { return minimum_fluidisation_velocity(scene, voidage); };
