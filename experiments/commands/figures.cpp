@@ -18,6 +18,7 @@
 #include <vector>
 
 #include "experiments/commands/above_zero.hpp"
+#include "experiments/commands/budget.hpp"
 #include "experiments/commands/commands.hpp"
 #include "experiments/commands/compute_studies.hpp"
 #include "experiments/commands/report_inputs.hpp"
@@ -31,7 +32,6 @@
 #include "experiments/work/more_runs.hpp"
 #include "experiments/work/report_pages.hpp"
 #include "reports/report.hpp"
-#include "solver/scene/units.hpp"
 #include "solver/support/files.hpp"
 #include "solver/support/folders.hpp"
 
@@ -116,16 +116,6 @@ void publish(const Work& work, const Profile& profile, const RunSpec& spec, cons
   const std::string hash = scene_hash(load_run_scene(spec));
   if (std::filesystem::exists(result_file(out, hash)))
     publish_result(spec, load_own_result(out, hash), profile.whole.contains(run_key(spec)), work.measuring);
-}
-
-/// "30min", "2 h", "90 s" as CPU time [s]; "0" is none.
-double budget_seconds(const std::string& text) {
-  if (text == "0") return 0.0;
-  try {
-    return units::parse_quantity(text, units::time);
-  } catch (const units::UnitError& error) {
-    throw CLI::ValidationError("--budget", error.what());
-  }
 }
 
 /// Claims whose ids begin with one of `ids`; all when there are none.

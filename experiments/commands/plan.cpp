@@ -13,17 +13,18 @@
 #include <optional>
 
 #include "experiments/commands/above_zero.hpp"
+#include "experiments/commands/accuracy.hpp"
 #include "experiments/commands/commands.hpp"
+#include "experiments/commands/law_evidence.hpp"
 #include "experiments/commands/works.hpp"
 #include "experiments/league/league_report.hpp"
-#include "experiments/league/scene_bed.hpp"
+#include "experiments/numerics/plan/settled_bed.hpp"
 #include "experiments/numerics/studies/trial.hpp"
 #include "experiments/runs/measure.hpp"
 #include "experiments/runs/run_campaign.hpp"
 #include "experiments/runs/run_estimate.hpp"
 #include "experiments/runs/run_files.hpp"
 #include "solver/laws/scene_remarks.hpp"
-#include "solver/laws/user_law.hpp"
 #include "solver/support/folders.hpp"
 
 namespace slfb {
@@ -37,12 +38,14 @@ using plan::Plan;
 constexpr const char* examples = R"(Examples:
   slfb plan experiments/scenes/fluidised_box.toml                  what the usual questions need: voidage, pressure drop
   slfb plan experiments/numerics/studies/scenes/slice.toml --for collision_frequency   one dimension is enough
-  slfb plan scene.toml --for minimum_fluidisation_velocity         a root, nothing to simulate
+  slfb plan scene.toml --for minimum_fluidisation_velocity         a root, of the packing that a part of the bed settles to
   slfb plan experiments/scenes/single_sphere.toml                  terminal velocity by an ODE, with the answer
   slfb plan scene.toml --for voidage --keep-forces                 of a work that leaves added mass out: steps and grid only
   slfb plan scene.toml --for voidage --verify                      run the richer choices and compare
   slfb plan --figures                                              the cheapest model for each figure of a work
+  slfb plan scene.toml --for voidage --accuracy "2 %"              what this accuracy would take
   slfb run scene.toml --plan auto                                  simulate as planned
+  slfb run scene.toml --for voidage --accuracy "2 %"               simulate until it is reached
 
 Quantities: terminal_velocity, minimum_fluidisation_velocity, voidage, pressure_drop, classification_velocity (V_2),
 force_ratio (|F_c|/mg), fluctuating_energy (q_p²), collision_frequency, peak_force, contacts.
@@ -57,21 +60,9 @@ struct Options {
   Overrides overrides;
   fs::path out = build_folder();
   int jobs = 2;
-  bool verify = false, json = false, figures = false, keep_forces = false;
+  bool verify = false, json = false, figures = false, keep_forces = false, best = false;
+  double accuracy = 0.0;  ///< asked relative error [-]; 0: the bands of the rules
 };
-
-const std::map<std::string, std::string>& measured_names() {
-  static const std::map<std::string, std::string> names{{"terminal_velocity", "terminal_velocity"},
-                                                        {"voidage", "voidage_centre_of_mass"},
-                                                        {"pressure_drop", "pressure_drop"},
-                                                        {"classification_velocity", "classification_velocity"},
-                                                        {"force_ratio", "collision_force_ratio"},
-                                                        {"fluctuating_energy", "fluctuating_energy"},
-                                                        {"collision_frequency", "collision_frequency"},
-                                                        {"peak_force", "peak_force_ratio"},
-                                                        {"contacts", "contacts_per_particle"}};
-  return names;
-}
 
 std::string effect_text(const std::map<std::string, double>& effect) {
   std::vector<std::string> parts;
@@ -94,8 +85,8 @@ Answers answers_of(const Scene& scene, const fs::path& out, const std::vector<st
   const Measurements found = measure_runs({{spec, scene, result}});
   Answers answers;
   for (const std::string& quantity : asked) {
-    const auto name = measured_names().find(quantity);
-    if (name == measured_names().end()) continue;
+    const auto name = plan::measured_names().find(quantity);
+    if (name == plan::measured_names().end()) continue;
     const auto entry = found.find(measure_key(name->second, spec.system, spec.superficial_velocity));
     if (entry != found.end())
       answers[quantity] = {entry->second.value,
@@ -119,7 +110,8 @@ std::vector<Verification> verify_formula(const Scene& scene, const Plan& made) {
         0};
     const double other = studies::solve(trial).values.at("terminal_velocity").value;
     checks.push_back({"tier", made.decisions.front().choice, "particle engine in still liquid", "terminal_velocity",
-                      found->second, other, found->second / other - 1.0, 0.0, made.band.at("terminal_velocity")});
+                      found->second.value, other, found->second.value / other - 1.0, 0.0,
+                      made.band.at("terminal_velocity")});
   }
   return checks;
 }
@@ -135,11 +127,11 @@ std::optional<std::vector<Verification>> verify(const Scene& scene, const Plan& 
     ablated.push_back(&decision);
   }
   // And each step halved.
-  static const Decision halved{"solid step", "as planned", "", "", "", {}, {}, "halved", {}, 0.0};
+  static const Decision halved{.subject = "solid step", .choice = "as planned", .richer = "halved"};
   scenes.push_back({"solid step: halved",
                     plan::changed(planned, {fmt::format("contact.time_step={}", 0.5 * planned.contact.time_step)})});
   ablated.push_back(&halved);
-  static const Decision liquid_halved{"liquid step", "as planned", "", "", "", {}, {}, "halved", {}, 0.0};
+  static const Decision liquid_halved{.subject = "liquid step", .choice = "as planned", .richer = "halved"};
   if (planned.fluid.tier != FluidTier::quiescent) {
     const double liquid = 0.5 * planned.fluid.time_step;
     scenes.push_back(
@@ -164,19 +156,19 @@ std::optional<std::vector<Verification>> verify(const Scene& scene, const Plan& 
   return checks;
 }
 
-/// The laws of the league, with that of the scene where it is a file of the user or has parameters.
-struct LeagueLaws {
-  std::vector<league::Contender> contenders = league::contenders();
-  std::string of_the_scene;
+/// The packing of a bed next to minimum fluidisation, which a voidage of 0.4 for all would not tell apart.
+struct BedNearMinimum {
+  plan::SettledBed settled;
+  double minimum;  ///< velocity that lifts it [m/s]
 };
-LeagueLaws league_laws(const Scene& scene) {
-  LeagueLaws laws{.of_the_scene = scene.coupling.drag_law};
-  if (is_varied_law(scene.coupling.drag_law)) {
-    const drag::DragLawKernels law = find_drag_law(scene.coupling.drag_law);
-    laws.of_the_scene = law.info.name;
-    for (league::Contender& contender : league::contenders_of(law)) laws.contenders.push_back(std::move(contender));
-  }
-  return laws;
+std::optional<BedNearMinimum> bed_near_minimum(const Scene& scene, const Plan& made) {
+  constexpr double near = 2.0;  // packings of up to 0.5 are lifted by twice the velocity of one of 0.4
+  const auto ratio = std::ranges::find(made.numbers, "velocity_over_minimum", &plan::Number::name);
+  if (made.by_formula || ratio == made.numbers.end() || !(ratio->value > 0.0) || ratio->value > near ||
+      std::ranges::none_of(scene.species, [](const Species& species) { return species.count > 0; }))
+    return std::nullopt;
+  const plan::SettledBed settled = plan::settle(scene);
+  return BedNearMinimum{settled, plan::minimum_fluidisation_velocity(scene, settled.voidage)};
 }
 
 ordered_json json_of(const Scene& scene, const Plan& made) {
@@ -187,7 +179,8 @@ ordered_json json_of(const Scene& scene, const Plan& made) {
                     {"core_seconds", made.core_seconds},
                     {"core_seconds_as_given", made.given_core_seconds},
                     {"effect", made.effect},
-                    {"band", made.band}};
+                    {"band", made.band},
+                    {"not_covered", made.not_covered()}};
   for (const auto& number : made.numbers) json["numbers"][number.name] = number.value;
   for (const Decision& d : made.decisions)
     json["decisions"].push_back(
@@ -196,12 +189,24 @@ ordered_json json_of(const Scene& scene, const Plan& made) {
          {"why", d.why},
          {"source", d.source},
          {"evidence", d.evidence},
+         {"part", plan::to_string(d.part)},
          {"effect", d.effect},
+         {"effect_in_studies", d.studied},
          {"richer", d.richer},
          {"richer_core_seconds", d.richer.empty() ? ordered_json(nullptr) : ordered_json(d.richer_core_seconds)}});
-  if (made.by_formula) json["answers"] = plan::answer_by_formula(scene, made);
-  const auto laws = league_laws(scene);
-  if (const auto found = league::recommend(scene, laws.contenders, laws.of_the_scene)) {
+  if (made.by_formula) {
+    json["answers"] = ordered_json::object();
+    for (const auto& [quantity, answer] : plan::answer_by_formula(scene, made)) {
+      json["answers"][quantity] = answer.value;
+      if (!answer.remark.empty())
+        json["answers_rest_on"][quantity] = {{"remark", answer.remark}, {"error", answer.error}};
+    }
+  }
+  if (const auto bed = bed_near_minimum(scene, made))
+    json["settled_bed"] = {{"voidage", bed->settled.voidage},
+                           {"half_width", bed->settled.half_width},
+                           {"minimum_fluidisation_velocity", bed->minimum}};
+  if (const LawEvidence laws(scene); const auto& found = laws.found) {
     json["laws"] = {
         {"formula", league::evidence_json({found->formula})[0]},
         {"drag_law", league::evidence_json({found->drag_law})[0]},
@@ -212,20 +217,23 @@ ordered_json json_of(const Scene& scene, const Plan& made) {
 
 /// Which law measured beds like that of the scene speak for.
 void print_recommendation(const Scene& scene) {
-  const auto laws = league_laws(scene);
-  const auto found = league::recommend(scene, laws.contenders, laws.of_the_scene);
+  const LawEvidence laws(scene);
+  const auto& found = laws.found;
   if (!found) return;
-  const auto words = [](const league::Evidence& one) {
-    return fmt::format("{}, typically within {:.0f} % of the velocity, at most {:.0f} %", one.law->name(),
-                       100.0 * one.statistic.root_mean_square, 100.0 * one.largest);
-  };
   fmt::print("\nlaw for the bed         in the {} measured beds that are near ({}):\n", found->formula.beds.size(),
              fmt::join(found->formula.beds, ", "));
-  fmt::print("    without a run       {}\n    to simulate         {}\n", words(found->formula), words(found->drag_law));
+  fmt::print("    without a run       {}\n    to simulate         {}\n", evidence_text(found->formula),
+             evidence_text(found->drag_law));
   fmt::print("    the scene's         {}\n", found->of_the_scene
-                                                 ? words(*found->of_the_scene)
+                                                 ? evidence_text(*found->of_the_scene)
                                                  : scene.coupling.drag_law + ": no answer for all of them");
   fmt::print("    evidence            slfb league SCENE; prediction: slfb predict SCENE\n");
+}
+
+/// A packing has to settle before a velocity that lifts it can be told.
+std::string formula_cost(const Plan& made) {
+  return std::ranges::find(made.asked, "minimum_fluidisation_velocity") == made.asked.end() ? "milliseconds"
+                                                                                            : "seconds";
 }
 
 void print_plan(const Options& options, const Scene& scene, const Plan& made) {
@@ -239,9 +247,23 @@ void print_plan(const Options& options, const Scene& scene, const Plan& made) {
                effect_text(d.effect));
     if (!d.richer.empty())
       fmt::print("    richer    {}: {} of CPU instead of {}\n", d.richer, format_duration(d.richer_core_seconds),
-                 made.by_formula ? "milliseconds" : format_duration(made.core_seconds));
+                 made.by_formula ? formula_cost(made) : format_duration(made.core_seconds));
   }
   if (options.keep_forces) fmt::print("{:<20} as the scene has them\n", "forces beyond drag");
+  if (const auto bed = bed_near_minimum(scene, made)) {
+    const double ratio = scene.liquid.superficial_velocity / bed->minimum;
+    fmt::print(
+        "\n{:<20} settles to a voidage of {:.4f} ± {:.2g}: U_mf {:.4g} m/s by the drag law, and U_L is {:.3g} of "
+        "it{}\n",
+        "packing", bed->settled.voidage, bed->settled.half_width, bed->minimum, ratio,
+        ratio < 1.2 ? "; WARNING: such a bed may stand still, or only a part of it move" : "");
+  }
+  if (const auto sentences = made.not_covered(); !sentences.empty()) {
+    fmt::print(
+        "\nWARNING: no study behind these choices had a scene like this one; their errors are taken larger, and "
+        "--verify measures them\n");
+    for (const std::string& sentence : sentences) fmt::print("    {}\n", sentence);
+  }
   fmt::print("\nestimated error (band)  ");
   std::vector<std::string> parts;
   for (const std::string& quantity : made.asked)
@@ -252,11 +274,13 @@ void print_plan(const Options& options, const Scene& scene, const Plan& made) {
                                     ? ": NOT MET, take a richer choice"
                                     : ""));
   fmt::print("{}\nestimated cost          {} of CPU; the scene as it stands: {}\n", fmt::join(parts, ", "),
-             made.by_formula ? "milliseconds" : format_duration(made.core_seconds),
+             made.by_formula ? formula_cost(made) : format_duration(made.core_seconds),
              format_duration(made.given_core_seconds));
   if (made.by_formula) {
-    for (const auto& [quantity, value] : plan::answer_by_formula(scene, made))
-      fmt::print("answer                  {} = {:.6g}\n", quantity, value);
+    for (const auto& [quantity, answer] : plan::answer_by_formula(scene, made))
+      fmt::print("answer                  {} = {:.6g}{}\n{}", quantity, answer.value,
+                 answer.error > 0.0 ? fmt::format(" ± {:.2g} %", 100.0 * answer.error) : "",
+                 answer.remark.empty() ? "" : fmt::format("{:<24}{}\n", "", answer.remark));
   } else {
     fmt::print("to run it               slfb run {} --plan auto --for {}{}\n", options.scene.string(),
                fmt::join(made.asked, ","), options.keep_forces ? " --keep-forces" : "");
@@ -272,6 +296,15 @@ int run(const Options& options) {
   }
   if (options.scene.empty()) throw std::invalid_argument("a scene is needed, or --figures");
   const Scene scene = load_scene(options.scene, options.overrides);
+  if (options.accuracy > 0.0)
+    return plan_for_accuracy({.file = options.scene,
+                              .scene = scene,
+                              .asked = options.asked,
+                              .error = options.accuracy,
+                              .keep_forces = options.keep_forces,
+                              .best = options.best,
+                              .out = options.out,
+                              .json = options.json});
   const auto rules = plan::load_rules();
   const Plan made = plan::make_plan(scene, options.asked.empty() ? plan::usual_questions(scene) : options.asked, rules,
                                     options.keep_forces ? plan::Forces::of_the_scene : plan::Forces::planned);
@@ -325,6 +358,12 @@ void add_plan_command(CLI::App& app) {
       ->allow_extra_args(false);
   command->add_flag("--keep-forces", options->keep_forces,
                     "Leave added mass, lift, history, lubrication and correction as the scene has them");
+  CLI::Option* accuracy = command->add_option_function<std::string>(
+      "--accuracy", [options](const std::string& text) { options->accuracy = accuracy_of(text); },
+      "Largest error that each asked quantity may have, \"5 %\": what it takes (see `slfb run --help`)");
+  accuracy->type_name("ERROR");
+  command->add_flag("--best", options->best, "With --accuracy: the best that can be had where it is out of reach")
+      ->needs(accuracy);
   command->add_flag("--verify", options->verify, "Run each richer choice and compare with the bands");
   command->add_flag("--figures", options->figures, "Instead of a scene: the cheapest model for each figure of a work");
   command->add_flag("--json", options->json, "Write the plan as JSON");

@@ -15,6 +15,8 @@
 #include <thread>
 #include <vector>
 
+#include "experiments/commands/accuracy.hpp"
+#include "experiments/commands/budget.hpp"
 #include "experiments/commands/commands.hpp"
 #include "experiments/commands/run_entries.hpp"
 #include "experiments/commands/works.hpp"
@@ -40,11 +42,14 @@ constexpr const char* examples = R"(Examples:
   slfb run experiments/scenes/fluidised_box.toml --dry-run   check the scene, show what it costs
   slfb run scene.toml --threads 2                            simulate
   slfb run scene.toml --plan auto                            simulate no more than V_2 and voidage need
+  slfb run scene.toml --accuracy "5 %" --for classification_velocity,voidage   as many beds as this accuracy takes
   slfb run scene.toml --set "liquid.superficial_velocity=0.08 m/s" --set stage[2].repetitions=5
   slfb run --profile full SYSTEM/0.10                        one run of a profile (`slfb list --runs full` shows them)
 
 The result lies in DIR/runs/HASH/result.h5, HASH being computed from every value of the scene: the same scene is not
-simulated twice, and a run that was interrupted goes on when the same command is given again.)";
+simulated twice, and a run that was interrupted goes on when the same command is given again.
+
+)";
 
 struct Options {
   std::string asked_scene;  ///< a file, or with a profile the key of one of its runs
@@ -53,7 +58,9 @@ struct Options {
   std::filesystem::path out = build_folder();
   int threads = 1;
   Overrides overrides;
-  bool planned = false, keep_forces = false;
+  bool planned = false, keep_forces = false, best = false;
+  double accuracy = 0.0;                                    ///< asked relative error [-]; 0: one run as it is
+  double budget = std::numeric_limits<double>::infinity();  ///< of CPU time for the accuracy [s]
   std::vector<std::string> asked;
   bool dry_run = false;
   bool json = false;
@@ -238,13 +245,27 @@ int run(const Options& options) {
   std::optional<NoForeignCode> guard;
   if (options.dry_run) guard.emplace();
   Scene scene = load_scene(options.scene, options.overrides);
+  if (options.accuracy > 0.0) {
+    const AccuracyOptions asked{.file = options.scene,
+                                .scene = scene,
+                                .asked = options.asked,
+                                .error = options.accuracy,
+                                .keep_forces = options.keep_forces,
+                                .best = options.best,
+                                .budget = options.budget,
+                                .out = options.out,
+                                .threads = options.threads,
+                                .json = options.json};
+    return options.dry_run ? plan_for_accuracy(asked) : run_for_accuracy(asked, rules_of(options.scene));
+  }
   if (options.planned) {
     const plan::Plan made =
         plan::make_plan(scene, options.asked.empty() ? plan::usual_questions(scene) : options.asked, plan::load_rules(),
                         options.keep_forces ? plan::Forces::of_the_scene : plan::Forces::planned);
     if (made.by_formula) {
-      for (const auto& [quantity, value] : plan::answer_by_formula(scene, made))
-        fmt::print("{} = {:.6g} by {}; nothing to simulate\n", quantity, value, made.decisions.front().choice);
+      for (const auto& [quantity, answer] : plan::answer_by_formula(scene, made))
+        fmt::print("{} = {:.6g} by {}; nothing to simulate\n{}", quantity, answer.value, made.decisions.front().choice,
+                   answer.remark.empty() ? "" : fmt::format("    {}\n", answer.remark));
       return 0;
     }
     scene = plan::changed(scene, made.overrides);
@@ -297,23 +318,42 @@ void add_run_command(CLI::App& app) {
   command->add_option("--set", options->overrides, "Replace a value of the scene: KEY=VALUE, may be repeated")
       ->allow_extra_args(false)
       ->excludes(profile);
+  CLI::Option* plan = command->add_option_function<std::string>(
+      "--plan", [options](const std::string&) { options->planned = true; },
+      "auto: models, stiffness and steps as `slfb plan` chooses them");
+  plan->check(CLI::IsMember({"auto"}));
+  CLI::Option* accuracy = command->add_option_function<std::string>(
+      "--accuracy", [options](const std::string& text) { options->accuracy = accuracy_of(text); },
+      "Largest relative error that each asked quantity may have, \"5 %\": plans, and runs as many beds as it takes");
+  accuracy->type_name("ERROR")->excludes(plan);
+  command->add_flag("--best", options->best, "With --accuracy: the best that can be had where it is out of reach")
+      ->needs(accuracy);
   command
       ->add_option_function<std::string>(
-          "--plan", [options](const std::string&) { options->planned = true; },
-          "auto: models, stiffness and steps as `slfb plan` chooses them")
-      ->check(CLI::IsMember({"auto"}));
-  command->add_option("--for", options->asked, "Quantities that the plan is made for (see `slfb plan --help`)")
-      ->needs("--plan")
-      ->delimiter(',')
-      ->type_name("Q,...");
-  command->add_flag("--keep-forces", options->keep_forces, "The plan leaves added mass, lift, … as the scene has them")
-      ->needs("--plan");
+          "--budget", [options](const std::string& text) { options->budget = budget_seconds(text); },
+          "With --accuracy: CPU time that may be spent, \"30 min\"")
+      ->needs(accuracy)
+      ->type_name("TIME");
+  CLI::Option* asked =
+      command->add_option("--for", options->asked, "Quantities that are asked for (see `slfb plan --help`)");
+  asked->delimiter(',')->type_name("Q,...");
+  CLI::Option* keep_forces = command->add_flag("--keep-forces", options->keep_forces,
+                                               "The plan leaves added mass, lift, … as the scene has them");
   command->add_flag("--dry-run", options->dry_run, "Check the scene and show what would run, without running it");
   command->add_flag("--json", options->json, "Write the plan or the summary as JSON");
-  command->footer(examples);
-  command->callback([options] {
+  command->footer(std::string(examples) + accuracy_help);
+  command->callback([options, plan, accuracy, asked, keep_forces] {
+    for (const CLI::Option* option : {asked, keep_forces})
+      if (option->count() > 0 && plan->count() == 0 && accuracy->count() == 0)
+        throw CLI::RequiresError(option->get_name(), "--plan or --accuracy");
     find_scene(*options);
-    if (const int status = run(*options); status != 0) throw CLI::RuntimeError(status);
+    int status = 0;
+    try {
+      status = run(*options);
+    } catch (const std::invalid_argument& error) {  // a quantity that nobody knows, or the scene cannot answer
+      throw CLI::ValidationError(error.what());
+    }
+    if (status != 0) throw CLI::RuntimeError(status);
   });
 }
 

@@ -105,7 +105,7 @@ TEST(PlanGate, TerminalVelocityIsAnOrdinaryDifferentialEquation) {
     const double drag = reynolds > 1000.0 ? 0.44 : 24.0 / reynolds * (1.0 + 0.15 * std::pow(reynolds, 0.687));
     velocity = std::sqrt(4.0 / 3.0 * 9.81 * d * excess / drag);
   }
-  EXPECT_NEAR(plan::answer_by_formula(scene, made).at("terminal_velocity"), velocity, 1e-6 * velocity);
+  EXPECT_NEAR(plan::answer_by_formula(scene, made).at("terminal_velocity").value, velocity, 1e-6 * velocity);
 }
 
 // What is asked decides: a root for U_mf, one dimension for collisions in a periodic slice, three for V_2 in a narrow

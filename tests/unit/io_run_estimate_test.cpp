@@ -1,10 +1,15 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
 
 #include "experiments/runs/run_estimate.hpp"
+#include "solver/laws/scene_file.hpp"
+#include "solver/run/simulation.hpp"
+#include "solver/support/folders.hpp"
+#include "tests/temporary_folder.hpp"
 #include "tests/unit/synthetic_runs.hpp"
 
 namespace slfb {
@@ -30,6 +35,21 @@ TEST(RunEstimate, AQuiescentLiquidHasNoCells) {
   scene.fluid.tier = FluidTier::quiescent;
   EXPECT_EQ(estimate_run(scene).liquid_cells, 0);
   EXPECT_EQ(estimate_run(scene).cell_steps, 0);
+}
+
+// What is counted before a run is what the run does: each sphere in each step, and the liquid's steps, of which each
+// leaves a sample here.
+TEST(RunEstimate, CountsWhatARunDoes) {
+  const Scene scene = load_scene(source_folder() / "experiments/scenes/fluidised_box.toml",
+                                 {"species[0].count=60", "geometry.height=0.1 m", "stage[0].duration=0.2 s",
+                                  "stage[1].duration=0.1 s", "recording.bed_interval=1 ms"});
+  const Folder folder;
+  const RunResult result = run_scene(scene, {.directory = folder.path()}).result;
+  const RunEstimate estimate = estimate_run(scene);
+  EXPECT_EQ(estimate.particle_steps, result.particle_steps);
+  EXPECT_DOUBLE_EQ(estimate.simulated_seconds, 0.3);
+  const auto liquid_steps = std::ranges::count_if(result.bed.time, [](double time) { return time > 0.0; });
+  EXPECT_EQ(estimate.cell_steps, estimate.liquid_cells * liquid_steps);
 }
 
 TEST(FormatDuration, ChoosesTheUnit) {
