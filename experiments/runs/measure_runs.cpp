@@ -20,8 +20,9 @@ namespace {
 /// What several runs of a scene may have otherwise and still be samples of one number: their seed, their times, steps
 /// and springs, the height of the column. What is left of the scene is its model.
 /// A packed bed does not feel the grid of the liquid either: cells of 6.25 and 7.14 mm differ by 0.2 % in the pressure
-/// drop of one packing, three packings by 1 % (profiles full and packed of Peng 2014, 0.03 m/s). It does feel its springs:
-/// with a tangential spring of a hundredth it packs to 0.384 at 1e3 N/m and to 0.405 at 1e4 N/m (profile packed).
+/// drop of one packing, three packings by 1 % (profiles full and packed of Peng 2014, 0.03 m/s). It does feel its
+/// springs: with a tangential spring of a hundredth it packs to 0.384 at 1e3 N/m and to 0.405 at 1e4 N/m (profile
+/// packed).
 Scene model_of(Scene scene, const Scene& pattern, bool packed) {
   if (packed) {
     scene.fluid.cells_across = pattern.fluid.cells_across;

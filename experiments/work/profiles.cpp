@@ -170,7 +170,8 @@ Profile load_profile(const Work& work, const std::string& name) {
     TomlTable definition = definitions.entry("systems", system);
     const std::string of_definition = definition.text("scene");
     const auto of_system_scene = work.folders.experiments / "scenes" / of_definition;
-    const auto scene = work.folders.experiments / "scenes" / run.text("scene", of_profile.empty() ? of_definition : of_profile);
+    const auto scene =
+        work.folders.experiments / "scenes" / run.text("scene", of_profile.empty() ? of_definition : of_profile);
     const auto of_system = definition.texts("overrides");
     const bool designed = run.has("design");
     const auto variants = variants_of_run(run, work, definitions);

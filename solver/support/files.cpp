@@ -24,7 +24,8 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::string_view unfinished_ending = ".part";
-const auto program_start = fs::file_time_type::clock::now();
+/// Files that are written from now on are not older than this: their times are those of a coarser clock.
+const auto program_start = fs::file_time_type::clock::now() - std::chrono::seconds(1);
 
 std::runtime_error failure(const fs::path& file, std::string_view problem, std::string_view reason) {
   return std::runtime_error(fmt::format("{}: {}: {}", file.string(), problem, reason));

@@ -106,12 +106,11 @@ TEST(Profiles, UnknownNameListsTheKnownOnes) {
     load_profile("swift");
     FAIL();
   } catch (const std::runtime_error& error) {
-    EXPECT_NE(
-        std::string(error.what())
-            .find(
-                "known: \"candidates\", \"causes\", \"drag-law\", \"full\", \"lattice\", \"literal\", \"packed\", \"paper-steps\", "
-                "\"quick\", \"screening\", \"seconds\", \"springs\""),
-        std::string::npos)
+    EXPECT_NE(std::string(error.what())
+                  .find("known: \"candidates\", \"causes\", \"drag-law\", \"full\", \"lattice\", \"literal\", "
+                        "\"packed\", \"paper-steps\", "
+                        "\"quick\", \"screening\", \"seconds\", \"springs\""),
+              std::string::npos)
         << error.what();
   }
 }

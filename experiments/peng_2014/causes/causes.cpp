@@ -12,7 +12,8 @@ namespace single_changes {
 namespace {
 
 constexpr std::array all_changes{
-    Change{Base::default_scene, "screening", "kt-0.01_by-gradient_own-spread_springs-1e4", "own volume spread where alone"},
+    Change{Base::default_scene, "screening", "kt-0.01_by-gradient_own-spread_springs-1e4",
+           "own volume spread where alone"},
     Change{Base::default_scene, "screening", "kt-0.003_by-gradient_springs-1e4", "k_t/k_n 0.003, not 0.01"},
     Change{Base::default_scene, "screening", "kt-0.05_by-gradient_springs-1e4", "k_t/k_n 0.05"},
     Change{Base::default_scene, "screening", "by-gradient_springs-1e4", "k_t/k_n 2/7"},

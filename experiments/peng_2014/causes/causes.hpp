@@ -25,8 +25,8 @@ struct Change {
   const char *profile, *variant, *title;
 };
 
-/// Those of the default scene first: contacts, start, values of the liquid, drag law. Then those of the other: numerics,
-/// liquid, forces, contacts, drag law.
+/// Those of the default scene first: contacts, start, values of the liquid, drag law. Then those of the other:
+/// numerics, liquid, forces, contacts, drag law.
 std::span<const Change> changes();
 
 /// Measurements of the runs with this change, and of the unchanged ones, under the same keys (without a variant). Empty
@@ -38,8 +38,8 @@ Measurements measure_unchanged(Base base, const std::filesystem::path& results);
 
 namespace slfb {
 
-/// Adds to the reason of each claim that is not reproduced which single changes of the default scene would bring it inside,
-/// with their runs as evidence; nothing where no run says so. `results`: folder of runs/.
+/// Adds to the reason of each claim that is not reproduced which single changes of the default scene would bring it
+/// inside, with their runs as evidence; nothing where no run says so. `results`: folder of runs/.
 void name_causes(std::vector<Evaluation>& evaluations, const std::filesystem::path& results);
 
 }  // namespace slfb
