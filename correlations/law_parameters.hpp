@@ -3,6 +3,7 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <cstddef>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -114,10 +115,12 @@ Law with_values(const LawCall& call) {
   const std::vector<ParameterInfo> known = parameters_of<Law>();
   for (const auto& [key, value] : call.values) {
     const auto complain = [&, &name = key](const std::string& what) {
-      std::string allowed;
-      for (const ParameterInfo& one : known) allowed += (allowed.empty() ? "" : "; ") + parameter_text(one);
-      throw std::invalid_argument(call.name + ": " + name + " " + what +
-                                  (known.empty() ? "; this law has no parameters" : "; allowed are " + allowed));
+      std::string message = call.name;
+      message.append(": ").append(name).append(" ").append(what);
+      message.append(known.empty() ? "; this law has no parameters" : "; allowed are ");
+      for (std::size_t k = 0; k < known.size(); ++k)
+        message.append(k == 0 ? "" : "; ").append(parameter_text(known[k]));
+      throw std::invalid_argument(message);
     };
     bool found = false;
     if constexpr (HasParameters<Law>)
