@@ -225,7 +225,7 @@ drag::DragLawKernels find_drag_law(const std::string& name_or_file) {
     std::string name;
     const void* law;
   };
-  static std::map<std::string, Varied> laws;
+  static auto& laws = *new std::map<std::string, Varied>;  // to the end of the program, as what points there
   const std::lock_guard lock(mutex);
   const std::string identity = law_call_text(is_user_law(call.name) ? user_law_hash(call.name) : call.name, call);
   auto found = laws.find(identity);
