@@ -10,6 +10,7 @@
 
 #include "experiments/peng_2014/work.hpp"
 #include "experiments/runs/campaign.hpp"
+#include "experiments/work/profiles.hpp"
 #include "solver/support/folders.hpp"
 
 namespace slfb {
@@ -50,6 +51,15 @@ TEST(Scenes, WorkingAndLiteralSceneAreTheSameCase) {
   numerics_exchanged.coupling = literal.coupling;
   numerics_exchanged.stages = literal.stages;
   EXPECT_EQ(scene_hash(numerics_exchanged), scene_hash(literal));
+}
+
+// Its runs count as runs of this reading: the scene must not move away from its name.
+TEST(Scenes, TheDefaultSceneIsTheReadingThatItIsCalled) {
+  const readings::Choices choices = load_choices(peng_2014_work());
+  const Scene scene = load_scene(scenes / "6in5W.toml");
+  Scene reading = load_scene(scenes / "6in5W.toml", choices.overrides_of(choices.reading_named(default_reading)));
+  reading.stages[0].duration = scene.stages[0].duration;  // readings settle for a shorter time
+  EXPECT_EQ(canonical_toml(reading), canonical_toml(scene));
 }
 
 class EachProfile : public testing::TestWithParam<std::string> {};
