@@ -19,6 +19,9 @@ struct Evidence {
   /// Why it may be no result of what is asked for: it is compared, and counts in no ranking but one of its own. Empty:
   /// it counts.
   std::string disputed = {};
+  /// The choice that a reading was given because of this number: for the likelihood it is evidence as any other, and no
+  /// test of a prediction. Empty: none.
+  std::string chose = {};
 };
 
 /// A reading that was run, by the name of its variant.

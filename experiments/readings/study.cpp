@@ -191,6 +191,17 @@ std::string disputed_text(const Study& study) {
   return text + "\n";
 }
 
+std::string choosing_text(const Study& study) {
+  std::map<std::string, std::vector<std::string>> titles;
+  for (const Evidence& one : study.evidence)
+    if (!one.chose.empty()) titles[one.chose].push_back(one.printed.title);
+  if (titles.empty()) return "";
+  std::string text =
+      "### Numbers that made a choice\n\nEvidence as the others; no tests, so not among those inside 95 %.\n\n";
+  for (const auto& [choice, list] : titles) text += fmt::format("- {}: {}\n", fmt::join(list, ", "), choice);
+  return text + "\n";
+}
+
 /// Numbers on which the leading readings differ most: to know them would decide between them.
 std::string deciding_text(const Study& study) {
   std::vector<const StudiedReading*> leading;
@@ -278,7 +289,9 @@ Study study(Choices choices, std::vector<Evidence> evidence, const std::vector<F
                            0};
     for (std::size_t i = 0; i < numbers.size(); ++i) {
       const double implausibility = assessed[r].comparisons[i].implausibility;
-      if (numbers[i].part != Part::test || !study.evidence[i].disputed.empty() || std::isnan(implausibility)) continue;
+      const Evidence& one = study.evidence[i];
+      if (numbers[i].part != Part::test || !one.disputed.empty() || !one.chose.empty() || std::isnan(implausibility))
+        continue;
       ++reading.tested;
       reading.inside += implausibility <= inside_95_percent ? 1 : 0;
     }
@@ -309,7 +322,8 @@ nlohmann::ordered_json study_json(const Study& study) {
                                {"scatter_of_grid", std::sqrt(study.widths.grid[a])},
                                {"reached", static_cast<bool>(study.reached[i])},
                                {"counted", static_cast<bool>(study.counted[i])},
-                               {"disputed", study.evidence[i].disputed}});
+                               {"disputed", study.evidence[i].disputed},
+                               {"chose", study.evidence[i].chose}});
   }
   for (const StudiedReading& one : study.readings) {
     nlohmann::ordered_json reading{{"name", one.name},
@@ -351,8 +365,8 @@ nlohmann::ordered_json study_json(const Study& study) {
 std::string study_text(const Study& study) {
   if (study.readings.empty()) return "No reading has been run yet.\n";
   return "All of this is inference from printed numbers, not knowledge of what was run.\n\n" + ranking_text(study) +
-         choices_text(study) + unreached_text(study) + disputed_text(study) + deciding_text(study) +
-         prediction_text(study);
+         choices_text(study) + unreached_text(study) + disputed_text(study) + choosing_text(study) +
+         deciding_text(study) + prediction_text(study);
 }
 
 }  // namespace slfb::readings

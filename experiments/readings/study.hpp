@@ -20,7 +20,8 @@ struct StudiedReading {
   std::optional<double>
       log10_evidence;  ///< calibration and test less the penalty, over the best; empty: not all was run
   std::optional<double> without_penalty;  ///< the same without it
-  std::size_t inside = 0, tested = 0;     ///< test numbers within the 95 % prediction interval, and all it has
+  /// Test numbers within the 95 % prediction interval, and all it has; without disputed ones and those that chose.
+  std::size_t inside = 0, tested = 0;
 };
 
 struct Study {

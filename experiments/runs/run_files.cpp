@@ -64,10 +64,11 @@ void publish_result(const RunSpec& spec, const RunResult& result, bool whole, co
   const NoForeignCode guard;  // the text of a result may be anybody's
   save_summary(summarise(spec.system, parse_archived_scene(result.scene_text, result.name), result, rules),
                published_summary(spec), rules);
+  const std::size_t of_replicate = spec.seed ? 5 : 1, of_bed = 5 * of_replicate, of_drop = 20 * of_replicate;
   RunResult thinned = result;
-  for_each_column(thinned.bed, [](std::vector<double>& column) { thin(column, 5); });
+  for_each_column(thinned.bed, [&](std::vector<double>& column) { thin(column, of_bed); });
   for (std::size_t d = whole ? 1 : 0; d < thinned.drops.size(); ++d)
-    for_each_column(thinned.drops[d], [](std::vector<double>& column) { thin(column, 20); });
+    for_each_column(thinned.drops[d], [&](std::vector<double>& column) { thin(column, of_drop); });
   if (!whole) thinned.snapshots.clear();
   save_result(thinned, file);
 }

@@ -28,8 +28,8 @@ std::filesystem::path published_file(const RunSpec& spec);
 std::filesystem::path published_summary(const RunSpec& spec);
 
 /// Puts a finished result where it can be committed: its summary, and its series thinned to what figures draw, the bed
-/// at every fifth sample and drops at every twentieth. With `whole` the first drop stays as it was recorded, and the
-/// snapshots stay. `rules` as for summarise.
+/// at every fifth sample and drops at every twentieth; replicates, of which figures draw means alone, five times more.
+/// With `whole` the first drop stays as it was recorded, and the snapshots stay. `rules` as for summarise.
 void publish_result(const RunSpec& spec, const RunResult& result, bool whole, const MeasuringRules& rules);
 
 }  // namespace slfb

@@ -154,8 +154,9 @@ class Places {
 
   std::string figure(const std::string& id) {
     const FigureOutput& output = drawn(id);
+    // PNG, since the printer (WeasyPrint) takes no "currentColor", which the points of gnuplot's SVG have.
     return fmt::format(
-        "\n<figure><img src=\"figures/{0}.svg\" alt=\"{1}\" />\n<figcaption>Figure {2}. {3}</figcaption>"
+        "\n<figure><img src=\"figures/{0}.png\" alt=\"{1}\" />\n<figcaption>Figure {2}. {3}</figcaption>"
         "</figure>\n",
         id, escape_html(id), ++figures_, prose_html(output.caption));
   }

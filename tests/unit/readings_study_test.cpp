@@ -201,6 +201,22 @@ TEST(Study, DisputedNumbersCountOnlyInTheirOwnColumn) {
   EXPECT_NE(study_text(found).find("may be computed"), std::string::npos);
 }
 
+TEST(Study, NumbersThatMadeAChoiceAreEvidenceAndNoTest) {
+  std::vector<Evidence> printed{evidence("pressure_drop", 0.06, 101.0, Part::calibration, "bed"),
+                                evidence("classification_velocity", 0.06, 0.1)};
+  const Study tested = study(choices(), printed, four_readings(), general_rules(), "");
+  printed[1].chose = "the spring";
+  const Study chosen = study(choices(), printed, four_readings(), general_rules(), "");
+  ASSERT_EQ(tested.readings.size(), chosen.readings.size());
+  for (std::size_t r = 0; r < chosen.readings.size(); ++r) {
+    EXPECT_EQ(tested.readings[r].tested, 1U) << tested.readings[r].name;
+    EXPECT_EQ(chosen.readings[r].tested, 0U) << chosen.readings[r].name;
+    EXPECT_EQ(chosen.readings[r].assessment.test, tested.readings[r].assessment.test) << chosen.readings[r].name;
+  }
+  EXPECT_NE(study_text(chosen).find("classification_velocity at 0.06: the spring"), std::string::npos)
+      << study_text(chosen);
+}
+
 TEST(Study, WithoutRunsItSaysSo) {
   const Study nothing = study(choices(), {evidence("pressure_drop", 0.06, 1.0)}, {}, general_rules(), "");
   EXPECT_EQ(study_text(nothing), "No reading has been run yet.\n");

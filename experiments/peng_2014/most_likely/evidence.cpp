@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <optional>
 #include <string>
 #include <utility>
@@ -19,6 +20,10 @@ using readings::Evidence, readings::Part;
 
 constexpr const char* system_name = "6in5W";
 constexpr const char* packed_bed = "packed bed";
+
+/// Numbers that chose something of the default scene (scenes/6in5W.toml says how).
+constexpr double chose_spring = 0.06;
+constexpr std::array chose_own_volume{0.06, 0.10, 0.16};
 
 std::string drops_at(double velocity) { return fmt::format("drops at {} m/s", velocity_text(velocity)); }
 
@@ -63,6 +68,7 @@ Evidence time_to_the_window(const Table2Row& row) {
                            velocity, Part::test);
   if (std::ranges::count(peng_2014().table2(), row.intercept, &Table2Row::intercept) > 1)
     time.disputed = "two rows of Table 2 have one intercept, so that one of them is a copy";
+  if (std::ranges::count(chose_own_volume, velocity) > 0) time.chose = "what a lone sphere reads";
   return time;
 }
 
@@ -78,6 +84,7 @@ std::vector<Evidence> evidence() {
     const double velocity = row.superficial_velocity;
     list.push_back(of_table("table2/classification_velocity", "V_2", "classification_velocity", drops_at(velocity),
                             velocity, Part::test));
+    if (velocity == chose_spring) list.back().chose = "the tangential spring";
     list.push_back(time_to_the_window(row));
     // Eq. 40 over the voidage of Eq. 36 at this velocity, as the paper draws it; most points lie within this of it.
     const auto bed = paper::steel_in_glass(velocity);

@@ -23,7 +23,7 @@ namespace {
 using readings::Comparison, readings::Study, readings::StudiedReading;
 
 const FigureFolder folder{"peng_2014/most_likely"};
-constexpr std::array profiles{"packed", "screening", "candidates"};
+constexpr std::array profiles{"packed", "screening", "candidates", "literal"};
 constexpr const char* of_the_default = "full";
 constexpr std::size_t shown_readings = 14, curves = 3;
 constexpr std::ptrdiff_t compared = 3;  ///< readings that have a number, for a column of its own
