@@ -2,6 +2,7 @@
 #include <fmt/ranges.h>
 #include <spdlog/sinks/stdout_color_sinks.h>
 #include <spdlog/spdlog.h>
+#include <unistd.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -20,6 +21,16 @@ namespace {
 
 constexpr int failure_status = 1;
 constexpr int usage_status = 2;
+
+/// A thread that waits for others at a barrier looks for them all the time; on a machine with other work it thereby
+/// takes the core from the one it waits for, and two threads were a hundred times slower than one. So it looks for a
+/// short while (some tenths of a millisecond, longer than threads with cores of their own wait) and then gives way.
+/// OpenMP's library reads this before main() begins, hence a second start; where that fails the first one goes on as it
+/// is.
+void let_waiting_threads_give_way(char** arguments) {
+  if (std::getenv("GOMP_SPINCOUNT") != nullptr || std::getenv("OMP_WAIT_POLICY") != nullptr) return;
+  if (setenv("GOMP_SPINCOUNT", "10000", 0) == 0) execv("/proc/self/exe", arguments);
+}
 
 std::string introduction() {
   std::string works;
@@ -92,6 +103,7 @@ void set_up_messages() {
 }  // namespace
 
 int main(int argc, char** argv) {
+  let_waiting_threads_give_way(argv);
   set_up_messages();
   std::vector<std::string> words(argv + 1, argv + argc);
   // "slfb" and "slfb help COMMAND" are asked in good faith: they get the help.

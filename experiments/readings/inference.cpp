@@ -11,6 +11,7 @@
 #include <limits>
 #include <map>
 #include <numbers>
+#include <optional>
 #include <set>
 #include <stdexcept>
 #include <utility>
@@ -322,6 +323,40 @@ double rounded(double value, double half_width) {
   return std::max(std::round(value / step) * step, 0.5 * step);
 }
 
+/// Half the mean square of what readings differ in that differ in the factor `grid` alone, less what chance does to it.
+/// Where no such readings have a number, the mean over those of its quantity that have one stands for it.
+Eigen::VectorXd variance_of_grid(const std::vector<PrintedNumber>& numbers, const std::vector<ReadingRuns>& runs,
+                                 std::size_t grid, const Eigen::MatrixXd& chance) {
+  std::vector<std::optional<double>> measured(numbers.size());
+  std::map<std::string, std::vector<double>> of_quantity;
+  for (std::size_t i = 0; i < numbers.size(); ++i) {
+    const auto a = static_cast<Eigen::Index>(i);
+    double squares = 0.0;
+    std::size_t pairs = 0;
+    for (std::size_t r = 0; r < runs.size(); ++r)
+      for (std::size_t s = 0; s < r; ++s) {
+        if (!equal_but_for(runs[r].reading, runs[s].reading, grid)) continue;
+        const auto x = present(runs[r].samples[i]), y = present(runs[s].samples[i]);
+        if (x.empty() || y.empty()) continue;
+        const double by_chance =
+            chance(a, a) * (1.0 / static_cast<double>(x.size()) + 1.0 / static_cast<double>(y.size()));
+        squares += 0.5 * (std::pow(mean_of(x) - mean_of(y), 2) - by_chance);
+        ++pairs;
+      }
+    if (pairs == 0) continue;
+    measured[i] = std::max(0.0, squares / static_cast<double>(pairs));
+    of_quantity[numbers[i].quantity].push_back(*measured[i]);
+  }
+  Eigen::VectorXd variance = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(numbers.size()));
+  for (std::size_t i = 0; i < numbers.size(); ++i) {
+    const auto known = of_quantity.find(numbers[i].quantity);
+    variance[static_cast<Eigen::Index>(i)] = measured[i]                  ? *measured[i]
+                                             : known == of_quantity.end() ? 0.0
+                                                                          : mean_of(known->second);
+  }
+  return variance;
+}
+
 }  // namespace
 
 Widths measure_widths(const std::vector<PrintedNumber>& numbers, const std::vector<ReadingRuns>& runs,
@@ -347,22 +382,8 @@ Widths measure_widths(const std::vector<PrintedNumber>& numbers, const std::vect
     }
     // Evenly spread over the half width on both sides.
     widths.print[a] = std::pow(numbers[i].half_width / numbers[i].value, 2) / 3.0;
-
-    if (!grid) continue;
-    double squares_of_grid = 0.0;
-    std::size_t pairs = 0;
-    for (std::size_t r = 0; r < runs.size(); ++r)
-      for (std::size_t s = 0; s < r; ++s) {
-        if (!equal_but_for(runs[r].reading, runs[s].reading, *grid)) continue;
-        const auto x = present(runs[r].samples[i]), y = present(runs[s].samples[i]);
-        if (x.empty() || y.empty()) continue;
-        const double by_chance =
-            widths.chance(a, a) * (1.0 / static_cast<double>(x.size()) + 1.0 / static_cast<double>(y.size()));
-        squares_of_grid += 0.5 * (std::pow(mean_of(x) - mean_of(y), 2) - by_chance);
-        ++pairs;
-      }
-    if (pairs > 0) widths.grid[a] = std::max(0.0, squares_of_grid / static_cast<double>(pairs));
   }
+  if (grid) widths.grid = variance_of_grid(numbers, runs, *grid, widths.chance);
   for (const Block& block : blocks_of(numbers, std::vector<bool>(numbers.size(), true))) {
     BlockMatrix correlation = BlockMatrix::Identity(static_cast<Eigen::Index>(block.numbers.size()),
                                                     static_cast<Eigen::Index>(block.numbers.size()));

@@ -47,11 +47,12 @@ struct ReadingRuns {
 struct Widths {
   Eigen::MatrixXd chance;            ///< covariance of one sample, over all numbers; 0 between blocks
   std::vector<std::size_t> freedom;  ///< by number: degrees of freedom of its variance; 0: from own series alone
-  Eigen::VectorXd grid;              ///< variance that another grid brings, 0 where it was not varied
+  Eigen::VectorXd grid;              ///< variance that another grid brings; 0 where no number of the quantity tells
   Eigen::VectorXd print;             ///< variance of a value that lies anywhere within the half width
 };
 
-/// \param grid factor whose levels are grids, readings that differ in it alone tell what a grid changes
+/// \param grid factor whose levels are grids: readings that differ in it alone tell what a grid changes. A number that
+/// was not run with several grids takes the mean of the others of its quantity.
 Widths measure_widths(const std::vector<PrintedNumber>& numbers, const std::vector<ReadingRuns>& runs,
                       std::optional<std::size_t> grid);
 

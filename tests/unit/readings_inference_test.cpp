@@ -142,6 +142,18 @@ TEST(Widths, TheGridsWidthComesFromReadingsThatDifferInItAlone) {
   EXPECT_EQ(measure_widths({printed(1.0)}, runs, 0).grid[0], 0.0);
 }
 
+TEST(Widths, ANumberThatWasRunOnOneGridTakesTheGridsWidthOfItsQuantity) {
+  std::vector<PrintedNumber> numbers{printed(1.0), printed(1.0), printed(1.0), printed(1.0)};
+  for (const std::size_t i : {0U, 1U, 2U}) numbers[i].quantity = "V_2";
+  numbers[3].quantity = "time";
+  // The first two have both grids, with variances of 0.02 and 0.08; the third one has one grid, the last a quantity
+  // that nothing is known of.
+  const std::vector<ReadingRuns> runs{{{0, 0}, {{0.0}, {0.0}, {0.0}, {0.0}}}, {{1, 0}, {{0.2}, {0.4}, {}, {}}}};
+  const Widths widths = measure_widths(numbers, runs, 0);
+  EXPECT_NEAR(widths.grid[2], 0.05, 1e-12);
+  EXPECT_EQ(widths.grid[3], 0.0);
+}
+
 TEST(Widths, ThePrintLeavesHalfAStepOnBothSides) {
   PrintedNumber number = printed(2.0);
   number.half_width = 0.1;
