@@ -21,9 +21,16 @@ std::string with_unit_of(const std::string& number, const Claim& claim) {
 std::string ours_text(const Evaluation& evaluation) {
   if (!evaluation.ours) return "–";
   std::string number = fmt::format("{:.3g}", *evaluation.ours);
-  if (evaluation.interval && evaluation.interval->second > evaluation.interval->first)
-    number += fmt::format(" ± {:.1g}", 0.5 * (evaluation.interval->second - evaluation.interval->first));
+  if (evaluation.interval && evaluation.interval->second > evaluation.interval->first) {
+    const double half_width = 0.5 * (evaluation.interval->second - evaluation.interval->first);
+    number += fmt::format(" ± {:.6g}", std::stod(fmt::format("{:.2g}", half_width)));  // "81", not "8.1e+01"
+  }
   return with_unit_of(number, evaluation.claim);
+}
+
+std::string paper_text(const Claim& claim) {
+  return with_unit_of(claim.kind == StatementKind::value ? fmt::format("{:.4g}", claim.paper) : claim.paper_text(),
+                      claim);
 }
 
 const Evaluation* evaluation_of(const std::vector<Evaluation>& evaluations, const std::string& id) {
@@ -42,8 +49,7 @@ std::string filled_in(TomlTable& table, const std::vector<Evaluation>& evaluatio
     const std::string id = text.substr(colon + 1, close - colon - 1);
     const Evaluation* evaluation = evaluation_of(evaluations, id);
     if (evaluation == nullptr) throw table.problem("text", fmt::format("there is no claim \"{}\"", id));
-    const std::string number =
-        which == "ours" ? ours_text(*evaluation) : with_unit_of(evaluation->claim.paper_text(), evaluation->claim);
+    const std::string number = which == "ours" ? ours_text(*evaluation) : paper_text(evaluation->claim);
     text.replace(open, close - open + 1, number);
     open += number.size();
   }
