@@ -13,6 +13,10 @@ Figure figure();
 namespace parity {
 Figure figure();
 }
+/// Error of the voidage of the near drag laws: homogeneous beds, and simulated ones.
+namespace three_dimensions {
+Figure figure();
+}
 /// Error of the voidage over the terminal Reynolds number, by law.
 namespace deviation {
 Figure figure();

@@ -1,7 +1,6 @@
 #include "experiments/richardson_zaki_1954/simulations.hpp"
 
 #include <algorithm>
-#include <array>
 #include <string>
 
 #include "experiments/league/standings.hpp"
@@ -10,12 +9,6 @@
 
 namespace slfb::richardson_zaki {
 namespace {
-
-/// Voidages at whose velocities the quick profile simulates in three dimensions.
-constexpr std::array quick_voidages{0.5, 0.7, 0.9};
-
-/// Beside the law of the scenes: the next ones of `slfb league` without the wall's part, and the most used one.
-constexpr std::array<const char*, 4> near_laws{"syamlal-obrien-1993", "di-felice-1994", "wen-yu-1966", "gidaspow-1994"};
 
 RunSpec run_of(const ExpansionLine& line, double voidage, Model model, const std::string& variant,
                const Profile& profile) {
@@ -44,21 +37,21 @@ std::vector<std::string> differences(const std::string& how) {
 
 std::vector<Profile> profiles() {
   const std::string columns = "Columns in three dimensions; periodic boxes of ten diameters for those of more than 20.";
-  const std::string slices = "Slices of six diameters without walls, in a one-dimensional liquid.";
   const auto profile = [](const char* name, const std::string& how) {
     return Profile{.name = name, .differences = differences(how), .runs = {}, .goes_on_from_published = true};
   };
-  Profile quick = profile("quick", columns), full = profile("full", columns), laws = profile("laws", slices);
+  Profile quick = profile("quick", columns), full = profile("full", columns), laws = profile("laws", columns);
   for (const ExpansionLine& line : beds()) {
-    for (const double voidage : quick_voidages) add(quick, run_of(line, voidage, Model::column, "", quick));
+    for (const double voidage : quick_voidages) {
+      add(quick, run_of(line, voidage, Model::column, "", quick));
+      for (const char* law : near_laws)
+        add(laws, run_of(line, voidage, Model::column, law, laws), {std::string("coupling.drag_law=") + law});
+    }
     for (const double voidage : league::line_voidages) {
       add(quick, run_of(line, voidage, Model::slice, one_dimensional, quick));
       // A run that quick has too is one run, published once.
       const bool in_quick = std::ranges::find(quick_voidages, voidage) != quick_voidages.end();
       add(full, run_of(line, voidage, Model::column, "", in_quick ? quick : full));
-      for (const char* law : near_laws)
-        add(laws, run_of(line, voidage, Model::slice, std::string(one_dimensional) + "_" + law, laws),
-            {std::string("coupling.drag_law=") + law});
     }
     // What a narrower box costs: the same bed without walls, six diameters wide.
     if (!has_walls(line)) {

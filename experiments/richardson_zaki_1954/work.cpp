@@ -38,7 +38,9 @@ Work rz_put_together() {
                                                    line.particle, line.liquid_name, 1e3 * line.tube_diameter)});
   for (Quantity& quantity : rz::own_quantities()) work.measuring.quantities.push_back(std::move(quantity));
   work.reference = &rz::printed();
-  work.figures = {rz::expansion::figure(), rz::parity::figure(), rz::deviation::figure(), league::figure()};
+  work.figures = {rz::expansion::figure(), rz::parity::figure(), rz::deviation::figure(),
+                  rz::three_dimensions::figure(), league::figure()};
+  work.read_by_figures = {"laws"};
   work.without_runs = rz::measure_laws;
   work.shown_beside = "full";
   work.profiles = rz::profiles;
