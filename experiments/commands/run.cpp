@@ -212,7 +212,9 @@ void print_result(const Options& options, const Scene& scene, const RunResult& r
     const auto fit = classification_of(drop, scene, rules_of(options.scene));
     line(fmt::format("drop {} ({})", i + 1, drop.species),
          fmt::format(
-             "{}, {}", fit ? fmt::format("V_2 = {:.4g} m/s", fit->velocity) : "no V_2 (too few points)",
+             "{}, {}",
+             fit ? fmt::format("V_2 = {:.4g} m/s{}", fit->velocity, fit->velocity < 0.0 ? " (rises)" : "")
+                 : "no V_2 (too few points)",
              drop.bottom_time < 0.0 ? "bottom not reached" : fmt::format("bottom after {:.3g} s", drop.bottom_time)));
   }
   if (result.particles_removed > 0) line("left through outlet", fmt::format("{} spheres", result.particles_removed));

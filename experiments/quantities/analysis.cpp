@@ -181,14 +181,17 @@ LineFit fit_line(std::span<const double> x, std::span<const double> y) {
   return fit;
 }
 
+bool rises_through_window(const DropSeries& drop, double bottom) { return !drop.z.empty() && drop.z.front() < bottom; }
+
 std::optional<ClassificationFit> fit_classification(const DropSeries& drop, double bottom, double top,
                                                     double release_clock) {
-  const auto first_below = [&](double height) {
-    return static_cast<std::size_t>(std::find_if(drop.z.begin(), drop.z.end(), [&](double z) { return z < height; }) -
-                                    drop.z.begin());
+  const bool rises = rises_through_window(drop, bottom);
+  const auto first_beyond = [&](double height) {
+    const auto found = std::ranges::find_if(drop.z, [&](double z) { return rises ? z > height : z < height; });
+    return static_cast<std::size_t>(found - drop.z.begin());
   };
-  const std::size_t begin = first_below(top);
-  const std::size_t end = first_below(bottom);
+  const std::size_t begin = first_beyond(rises ? bottom : top);
+  const std::size_t end = first_beyond(rises ? top : bottom);
   if (end == drop.z.size() || end < begin + 3) return std::nullopt;
   std::vector<double> clock(drop.time.begin() + static_cast<std::ptrdiff_t>(begin),
                             drop.time.begin() + static_cast<std::ptrdiff_t>(end));
@@ -208,6 +211,9 @@ std::optional<Passage> bed_passage(const DropSeries& drop, double bed_top) {
   if (drop.bottom_time >= 0.0) {
     end = static_cast<std::size_t>(std::lower_bound(drop.time.begin(), drop.time.end(), drop.bottom_time) -
                                    drop.time.begin());
+  } else if (begin == 0 && !drop.z.empty() && drop.z.back() > bed_top) {
+    const auto exit = std::ranges::find_if(drop.z, [&](double z) { return z > bed_top; });
+    end = static_cast<std::size_t>(exit - drop.z.begin());
   }
   if (end < begin + 2) return std::nullopt;
   return Passage{begin, end};
@@ -228,7 +234,7 @@ DropStatistics analyse_drop(const DropSeries& drop, const DropSurroundings& surr
   }
   if (!at_bottom && final_speed(drop) < resting_speed) {
     statistics.rests = true;
-    statistics.sinking = sinking_of(drop);
+    if (drop.z.back() < drop.z.front()) statistics.sinking = sinking_of(drop);
     // Not deeper than itself and one layer of the bed, it lies in a hollow of the surface at most: what it met is its
     // landing, not a passage.
     const double surface = surroundings.bed_top + 0.5 * surroundings.bed_diameter;

@@ -60,17 +60,21 @@ struct LineFit {
 /// Throws std::invalid_argument when there are fewer than two points or lengths differ.
 LineFit fit_line(std::span<const double> x, std::span<const double> y);
 
-/// Straight line z = intercept − velocity·t through the first passage of a window of height.
+/// Straight line z = intercept − velocity·t through the first passage of a window of height, downwards or upwards.
 struct ClassificationFit {
-  double velocity = 0.0;   ///< V_2, positive downwards [m/s]
+  double velocity = 0.0;   ///< V_2, positive downwards, negative of a sphere that rises [m/s]
   double intercept = 0.0;  ///< on the clock whose reading at the release is `release_clock` [m]
   double r_squared = 0.0;
   std::size_t points = 0;
 };
 
+/// Whether a drop crosses a window from below: its sphere is released below the window's bottom [m].
+bool rises_through_window(const DropSeries& drop, double bottom);
+
 /// Fits the samples of the passage through the window of height from `bottom` to `top` [m]: from the first one below
-/// its top to the last one before the sphere is first below its bottom. `release_clock` is the time shown at release
-/// [s]. Empty when the sphere does not pass the window or leaves fewer than three samples there.
+/// its top to the last one before the sphere is first below its bottom; of a sphere that is released below the window,
+/// from the first one above its bottom to the last one before it is first above its top. `release_clock` is the time
+/// shown at release [s]. Empty when the sphere does not pass the window or leaves fewer than three samples there.
 std::optional<ClassificationFit> fit_classification(const DropSeries& drop, double bottom, double top,
                                                     double release_clock);
 
@@ -84,7 +88,8 @@ struct Passage {
 };
 
 /// Begins with the first sample whose centre is below the top of the bed and ends with the first touch of the
-/// distributor, or with the record when there is none. Empty when the sphere does not come down to the bed.
+/// distributor, or with the record when there is none; of a sphere that is released in the bed and rises out of it,
+/// where it is first above the top. Empty when the sphere does not come down to the bed.
 std::optional<Passage> bed_passage(const DropSeries& drop, double bed_top);
 
 /// What the statistics of a drop need to know beside its history.

@@ -170,6 +170,7 @@ std::optional<BoundedSample> slower_than_a_passage(const DropView& drop) {
   const DropSeries& series = drop.series;
   const auto [bottom, top] = drop.run.rules.classification_window.value_or(drop.run.scene.recording.fluctuation_window);
   if (series.z.empty() || drop.statistics.classification || series.z.back() < bottom) return std::nullopt;
+  if (rises_through_window(series, bottom)) return std::nullopt;
   const double entry = std::max(top, drop.run.bed_top());
   const auto below = std::ranges::find_if(series.z, [&](double z) { return z < entry; });
   if (below == series.z.end()) return std::nullopt;
@@ -182,7 +183,7 @@ std::optional<BoundedSample> slower_than_a_passage(const DropView& drop) {
 std::optional<double> time_to_window(const DropNumbers& numbers) {
   const auto intercept = numbers.of_drop("classification_intercept"),
              speed = numbers.of_drop("classification_velocity");
-  if (!intercept || !speed || !(*speed > 0.0)) return std::nullopt;
+  if (!intercept || !speed || *speed == 0.0) return std::nullopt;
   const auto [bottom, top] = numbers.rules.classification_window.value_or(numbers.scene.recording.fluctuation_window);
   return (*intercept - 0.5 * (bottom + top)) / *speed - numbers.rules.release_clock(std::string(numbers.system));
 }
@@ -300,7 +301,7 @@ std::vector<Quantity> of_drops() {
       bounded(slower_than_a_passage, {"classification_velocity", "m/s", "classification velocity V_2",
                                       "Speed at which a sphere settles through the bed: the slope of the line z = z_0 "
                                       "− V_2 t fitted to its passage "
-                                      "through the window of height.",
+                                      "through the window of height; negative of a sphere that rises from below it.",
                                       of_line(&ClassificationFit::velocity)}),
       {"classification_intercept", "m", "intercept of the line of V_2",
        "z_0 of that line on the clock of the work; only of drops from the height of release.",

@@ -7,7 +7,7 @@
 
 namespace slfb::coupling {
 
-/// Forces along z on spheres and liquid together [N], static head removed: they add up to zero.
+/// Forces along z, the column's axis, on spheres and liquid together [N], static head removed: they add up to zero.
 ///
 /// Each term comes from where it arises: pressure, shear and flow from the liquid's equations, contacts with the bottom
 /// and the other walls from the contact law, inertia from the momenta at both ends of the time. Drag and the pressure
@@ -15,7 +15,7 @@ namespace slfb::coupling {
 struct ForceBalance {
   enum Term : std::size_t {
     pressure,        ///< Δp A
-    buoyant_weight,  ///< −Σ (m − ρ V) g
+    buoyant_weight,  ///< Σ (m − ρ V) g_z
     bottom,          ///< contacts with the distributor
     walls,           ///< contacts with the side walls and a lid
     shear,           ///< of the liquid at the walls, and viscous stress at the ends
@@ -34,7 +34,7 @@ struct ForceBalance {
 };
 
 /// Why the forces of a scene do not add up to zero in each step, in words for its user; empty if they do (to 1e-6 of
-/// the spheres' buoyant weight).
+/// the spheres' buoyant weight; with SIMPLE to some times fluid.simple_tolerance).
 ///
 /// One choice does that. In second order the projection convects momentum with a flow that is extrapolated from the two
 /// steps before. That flow is not the one that fills the cells of this step, and momentum is gained or lost by their

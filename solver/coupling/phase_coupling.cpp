@@ -9,7 +9,6 @@
 
 #include "correlations/fluidisation/fluidisation_laws.hpp"
 #include "correlations/law_list.hpp"
-#include "correlations/materials.hpp"
 #include "solver/support/stopwatch.hpp"
 
 namespace slfb::coupling {
@@ -31,6 +30,7 @@ WallLaw wall_law_of(const Scene& scene) {
 PhaseCoupling::PhaseCoupling(const Scene& scene, fluid::Liquid& liquid, const drag::DragLawKernels& drag_law)
     : scene_(scene),
       liquid_(liquid),
+      gravity_(scene.geometry.gravity()),
       law_(drag_law.drag),
       law_name_(is_file(scene.coupling.drag_law) ? fmt::format("{} ({})", drag_law.info.name, scene.coupling.drag_law)
                                                  : std::string(drag_law.info.name)),
@@ -175,11 +175,11 @@ void PhaseCoupling::read_at_spheres(const dem::Engine& engine, double time_step)
       if (beyond_drag) coefficient_[i] += beyond_coefficient_[i];
       const auto solid = engine.mean_solid_force(i);
       const std::array<double, 3> v = particles.velocity.at(i);
-      const double buoyant_weight = -gravitational_acceleration * (particles.mass[i] - density * volume);
+      const double buoyant_mass = particles.mass[i] - density * volume;
       // Equation (35): K' = K/(1 + K Δt/m), and v' without the liquid's stress
       damped_coefficient_[i] = coefficient_[i] / (1.0 + coefficient_[i] * per_inertia);
       for (std::size_t a = 0; a < 3; ++a) {
-        double other = solid[a] + (a == 2 ? buoyant_weight : 0.0);
+        double other = solid[a] + gravity_[a] * buoyant_mass;
         if (beyond_drag) other += beyond_force_[a][i];
         free_velocity_[a][i] = v[a] + per_inertia * other;
         if (explicit_exchange)  // the force itself, as momentum that the liquid gains
@@ -297,7 +297,8 @@ void PhaseCoupling::give_to_spheres(dem::Engine& engine, double time_step) {
       if (beyond_drag_.any()) (*external[a])[i] += beyond_force_[a][i];
     }
     // Weight, and buoyancy by the static pressure
-    (*external[2])[i] -= gravitational_acceleration * (particles.mass[i] - scene_.liquid.density * volume);
+    const double buoyant_mass = particles.mass[i] - scene_.liquid.density * volume;
+    for (std::size_t a = 0; a < 3; ++a) (*external[a])[i] += gravity_[a] * buoyant_mass;
   }
   velocity_is_gathered_ = true;
 }
@@ -431,7 +432,7 @@ double PhaseCoupling::pressure_force(std::size_t i, std::size_t a) {
   std::vector<std::array<double, 1>> means;
   if (lone.any()) means = lone.section_means<1>([&](std::size_t cell, std::size_t) { return cells[cell]; });
   const double gradient = lone.mean<1>(i, {volumes_.shares().gather(i, cells)}, means)[0];
-  return -volume_[i] * (gradient - (a == 2 ? scene_.liquid.density * gravitational_acceleration : 0.0));
+  return -volume_[i] * (gradient + scene_.liquid.density * gravity_[a]);
 }
 
 std::vector<double> PhaseCoupling::void_fraction() const {

@@ -112,6 +112,7 @@ class PhaseCoupling {
 
   const Scene& scene_;
   fluid::Liquid& liquid_;
+  std::array<double, 3> gravity_;  ///< [m/s²]
   drag::DragKernel law_;
   std::string law_name_;                       ///< as errors call it
   double (*wall_law_)(double diameter_ratio);  ///< terminal velocity in a tube over that without walls; may be null

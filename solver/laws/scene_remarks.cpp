@@ -71,6 +71,11 @@ std::vector<std::string> remarks_on(const Scene& scene) {
   std::vector<std::string> remarks;
   add_rounded_times(scene, remarks);
   add_law_range(scene, remarks);
+  const bool in_bed = std::ranges::any_of(scene.species, [](const Species& species) { return species.count > 0; });
+  if (scene.geometry.inclination > 0.0 && scene.fluid.tier != FluidTier::three_dimensional && in_bed)
+    remarks.emplace_back(
+        "geometry.inclination: in an inclined column the liquid rises along the upper wall while spheres slide down "
+        "the lower one; only tier = \"three-dimensional\" has that circulation");
   return remarks;
 }
 

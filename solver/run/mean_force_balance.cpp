@@ -5,8 +5,6 @@
 #include <cmath>
 #include <utility>
 
-#include "correlations/materials.hpp"
-
 namespace slfb::simulation {
 
 using coupling::ForceBalance;
@@ -22,9 +20,10 @@ void MeanForceBalance::end_step(const Model& model) {
   const dem::Particles& particles = model.particles();
   const auto contacts = model.engine().mean_vertical_wall_forces();
   const auto& liquid = model.liquid().vertical_forces();
+  const double gravity = scene_.geometry.gravity()[2];
   for (std::size_t i = 0; i < particles.size(); ++i)
-    now.force[ForceBalance::buoyant_weight] -=
-        gravitational_acceleration * (particles.mass[i] - scene_.liquid.density * particles.volume(i));
+    now.force[ForceBalance::buoyant_weight] +=
+        gravity * (particles.mass[i] - scene_.liquid.density * particles.volume(i));
   now.force[ForceBalance::pressure] = liquid.pressure;
   now.force[ForceBalance::bottom] = contacts.bottom;
   now.force[ForceBalance::walls] = contacts.others;

@@ -3,7 +3,6 @@
 #include <array>
 #include <cmath>
 
-#include "correlations/materials.hpp"
 #include "solver/dem/packing.hpp"
 #include "solver/laws/make_engine.hpp"
 #include "solver/laws/user_law.hpp"
@@ -41,9 +40,12 @@ void Model::fill() {
 std::int64_t Model::advance(Surroundings surroundings) {
   engine_.suspend_lubrication(surroundings == Surroundings::nothing);
   if (surroundings == Surroundings::nothing) {
+    const auto [x, y, z] = scene_.geometry.gravity();
     engine_.external_force.set_zero();
-    for (std::size_t i = 0; i < particles().size(); ++i)
-      engine_.external_force.z[i] = -gravitational_acceleration * particles().mass[i];
+    for (std::size_t i = 0; i < particles().size(); ++i) {
+      engine_.external_force.x[i] = x * particles().mass[i];
+      engine_.external_force.z[i] = z * particles().mass[i];
+    }
   } else {
     (surroundings == Surroundings::liquid ? flowing_ : resting_)->advance(engine_, scene_.fluid.time_step);
   }

@@ -8,6 +8,8 @@
 #include <string>
 #include <vector>
 
+#include "correlations/materials.hpp"
+
 /// The one description of a run: plain data in SI units, filled and checked by solver/laws/scene_file.hpp.
 namespace slfb {
 
@@ -30,9 +32,15 @@ struct Geometry {
   Shape shape = Shape::cylinder;
   double diameter = 0.0;              ///< cylinder: inner diameter [m]
   std::array<double, 2> width{0, 0};  ///< box: extent in x and y [m]
-  double height = 0.0;                ///< [m]; z = 0 is the distributor, gravity acts along -z
+  double height = 0.0;                ///< along the axis [m]; z = 0 is the distributor, z the column's axis
+  double inclination = 0.0;           ///< of the axis from the vertical [degree]; the column leans over to -x
 
-  /// Area of a horizontal cut [m²].
+  /// Acceleration of gravity in the axes of the column [m/s²]: along -z where it is upright.
+  [[nodiscard]] std::array<double, 3> gravity() const {
+    const double angle = inclination * std::numbers::pi / 180.0;
+    return {gravitational_acceleration * std::sin(angle), 0.0, -gravitational_acceleration * std::cos(angle)};
+  }
+  /// Area of a cut across the axis [m²].
   [[nodiscard]] double cross_section() const {
     return shape == Shape::cylinder ? 0.25 * std::numbers::pi * diameter * diameter : width[0] * width[1];
   }

@@ -173,6 +173,10 @@ class PhysicsCheck {
                 rounded(geometry.height));
       }
     }
+    if (geometry.inclination > 0.0 && periodic)
+      problem("geometry.inclination", with_unit(geometry.inclination, units::angle),
+              "spheres and liquid would slide through periodic sides ever faster; allowed is 0, or fluid.wall = "
+              "\"no-slip\" or \"slip\"");
     const double needed = densest_bed_height();
     if (needed > geometry.height) {
       problem("geometry.height", with_unit(geometry.height, units::length),
@@ -286,6 +290,9 @@ class PhysicsCheck {
     const auto of_bed = [](const Species& species) { return species.count > 0; };
     if (scene_.geometry.shape != Shape::cylinder)
       return wrong("the laws are for tubes; needed is shape = \"cylinder\"");
+    if (scene_.geometry.inclination > 0.0)
+      return wrong(
+          "the laws are for a sphere on the axis, and in an inclined tube it lies on the wall; allowed is \"none\"");
     if (std::ranges::any_of(scene_.species, of_bed))
       return wrong("the laws are for a sphere alone; allowed is \"none\" where there is a bed");
     bool known = false;

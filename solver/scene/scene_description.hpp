@@ -32,6 +32,7 @@ inline constexpr Allowed positive{0.0, false, no_limit, false, "greater than zer
 inline constexpr Allowed not_negative{0.0, true, no_limit, false, "zero or greater"};
 inline constexpr Allowed above_zero_to_one{0.0, false, 1.0, true, "greater than 0 and at most 1"};
 inline constexpr Allowed zero_to_half{0.0, true, 0.5, true, "from 0 to 0.5"};
+inline constexpr Allowed leaning{0.0, true, 90.0, false, "from 0 (upright) to below 90 degree"};
 inline constexpr Allowed between_zero_and_one{0.0, false, 1.0, false, "between 0 and 1"};
 /// Whole numbers: what TOML's signed integers and the arrays behind them hold.
 inline constexpr Allowed one_to_a_million{1.0, true, 1e6, true, "a whole number from 1 to 1000000"};
@@ -132,6 +133,8 @@ void describe(Visitor& visitor, Scene& scene, const SceneLaws& laws) {
     visitor.pair("width", geometry.width, u::length, positive,
                  required_if(geometry.shape == Shape::box, "it belongs to shape = \"box\""));
     visitor.number("height", geometry.height, u::length, positive, required);
+    visitor.number("inclination", geometry.inclination, u::angle, leaning,
+                   left_out_if_default(geometry.inclination, Geometry{}.inclination));
   });
   visitor.section("liquid", [&] {
     auto& liquid = scene.liquid;

@@ -11,7 +11,7 @@ namespace slfb::units {
 /// What a value of a scene file measures.
 struct Dimension {
   std::string_view name;     ///< "length"
-  std::string_view unit;     ///< the SI unit, in UDUNITS-2 notation; "1" for a ratio
+  std::string_view unit;     ///< the SI unit (degree for an angle), in UDUNITS-2 notation; "1" for a ratio
   std::string_view example;  ///< a value as a user would write it
 };
 
@@ -23,6 +23,8 @@ inline constexpr Dimension viscosity{"a dynamic viscosity", "Pa s", "1.0 mPa s"}
 inline constexpr Dimension velocity{"a velocity", "m/s", "6 cm/s"};
 inline constexpr Dimension stiffness{"a stiffness", "N/m", "1e4 N/m"};
 inline constexpr Dimension pressure{"a pressure", "Pa", "5e7 Pa"};
+/// In degrees: a bare number that was meant so and taken for radians would be another angle, unseen.
+inline constexpr Dimension angle{"an angle", "degree", "10 degree"};
 inline constexpr Dimension ratio{"a number without a unit", "1", "0.9"};
 
 /// A text that is not a quantity of the dimension asked for; what() says what is needed, with an example.

@@ -8,7 +8,10 @@
 #include <vector>
 
 #include "correlations/materials.hpp"
-#include "solver/scene/scene.hpp"
+#include "experiments/quantities/quantity.hpp"
+#include "solver/laws/scene_file.hpp"
+#include "solver/run/simulation.hpp"
+#include "tests/temporary_folder.hpp"
 
 namespace slfb {
 namespace {
@@ -194,6 +197,66 @@ TEST(Drop, ClassificationVelocityIsTheSlopeInTheWindow) {
   const double entry = (height - bed_top) / fall_speed;
   EXPECT_NEAR(fit->intercept, bed_top + settling * (20.0 + entry), 1e-6) << "on the clock of Table 2";
   EXPECT_NEAR(static_cast<double>(fit->points), 0.1 / settling * 1000.0, 2.0);
+}
+
+// Upside down the fall is a rise with the same line, and negative speed: the same window counts.
+TEST(Drop, ASphereThatRisesHasANegativeClassificationVelocity) {
+  DropSeries drop = made_up_drop();
+  const auto falls = fit_classification(drop, 0.1, 0.2, 0.0);
+  for (double& z : drop.z) z = 0.3 - z;
+  drop.bottom_time = -1.0;
+  const auto rises = fit_classification(drop, 0.1, 0.2, 0.0);
+  ASSERT_TRUE(falls && rises);
+  EXPECT_NEAR(rises->velocity, -falls->velocity, 1e-9);
+  EXPECT_NEAR(rises->intercept, 0.3 - falls->intercept, 1e-9);
+  for (double& z : drop.z) z = std::min(z, 0.19);
+  EXPECT_FALSE(fit_classification(drop, 0.1, 0.2, 0.0)) << "it has not left the window";
+}
+
+// Its passage of the bed ends where it leaves the bed, not with the record.
+TEST(Drop, ASphereThatRisesOutOfTheBedLeavesIt) {
+  DropSeries drop;
+  for (int k = 0; k < 100; ++k) {
+    drop.time.push_back(0.01 * k);
+    drop.z.push_back(0.05 + 0.002 * k);
+  }
+  const auto passage = bed_passage(drop, 0.1501);
+  ASSERT_TRUE(passage);
+  EXPECT_EQ(passage->begin, 0U);
+  EXPECT_EQ(passage->end, 51U);
+}
+
+// In a liquid at rest a sphere that is lighter by as much as another is heavier rises as fast as that falls.
+TEST(Drop, ALightSphereRisesThroughTheWindowAsFastAsAHeavyOneFalls) {
+  const auto velocity = [](double density, double release_height) {
+    Scene scene;
+    scene.geometry.diameter = 0.05;
+    scene.geometry.height = 0.3;
+    scene.liquid = {1000.0, 1e-3, 0.0};
+    scene.fluid.tier = FluidTier::quiescent;
+    scene.fluid.cell_height = 0.01;
+    scene.fluid.time_step = scene.contact.time_step = 1e-4;
+    scene.contact.stiffness = 1e3;
+    scene.coupling.drag_law = "wen-yu-1966";
+    scene.outlet.rule = OutletRule::remove;
+    scene.species = {{"one", 0.004, density, 0}};
+    Stage drop;
+    drop.kind = StageKind::drop;
+    drop.species = "one";
+    drop.release_height = release_height;
+    drop.duration = 5.0;
+    scene.stages = {drop};
+    validate_scene(scene);
+    const Folder folder;
+    const RunResult result = run_scene(scene, {.directory = folder.path()}).result;
+    EXPECT_EQ(result.particles_removed, density < 1000.0 ? 1 : 0);
+    const auto fit = classification_of(result.drops.at(0), scene, general_rules(), 0.0);
+    EXPECT_TRUE(fit);
+    return fit ? fit->velocity : 0.0;
+  };
+  const double falls = velocity(1500.0, 0.27), rises = velocity(500.0, 0.03);
+  EXPECT_GT(falls, 0.2);
+  EXPECT_NEAR(rises, -falls, 0.01 * falls) << "but for its smaller inertia, which reaches that speed sooner";
 }
 
 TEST(Drop, ASphereThatDoesNotPassTheWindowHasNoClassificationVelocity) {

@@ -360,6 +360,11 @@ Plan make_plan(const Scene& scene, const std::vector<std::string>& asked, const 
     if (!rules.bands.contains(quantity))
       throw std::invalid_argument(
           fmt::format("there is no quantity \"{}\"; known: {}", quantity, fmt::join(known, ", ")));
+  if (scene.geometry.inclination > 0.0)
+    throw std::invalid_argument(fmt::format(
+        "geometry.inclination = {:g} degree: the studies behind a plan are of upright columns, so that it cannot tell "
+        "what an inclined one needs; run it as it is, and with a smaller step or cell to compare",
+        scene.geometry.inclination));
   Plan plan;
   plan.asked = asked;
   plan.numbers = numbers_of(scene);
