@@ -115,7 +115,8 @@ ReadingRuns runs_of(const Reading& reading, const std::vector<Evidence>& evidenc
       if (recorded && !has_any(i)) result.samples[i].clear();
   }
   for (const auto& [name, numbers] : blocks)
-    for (const auto& [seed, value] : numbers.begin()->second) {
+    for (const auto& entry_of_seed : numbers.begin()->second) {
+      const auto& seed = entry_of_seed.first;  // clang 14 takes no name of a structured binding into a lambda
       if (!std::ranges::all_of(numbers, [&](const auto& entry) { return entry.second.contains(seed); })) continue;
       for (const auto& [i, values] : numbers) {
         result.samples[i].push_back(values.at(seed).first);

@@ -34,7 +34,8 @@ std::vector<RunSpec> runs_for(const Work& work, const Profile& shown, const Meas
   if (!stiff.empty()) return stiff;
   // Where several profiles have a run of a key, the one that is shown beside the others is made once more.
   std::vector<RunSpec> runs = shown.runs;
-  std::ranges::stable_partition(runs, [&](const RunSpec& spec) { return spec.profile == work.shown_beside; });
+  std::stable_partition(runs.begin(), runs.end(),
+                        [&](const RunSpec& spec) { return spec.profile == work.shown_beside; });
   return runs;
 }
 

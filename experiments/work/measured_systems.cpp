@@ -14,7 +14,8 @@ namespace {
 /// Of the first run of the system, in the default profile if it is there.
 Scene scene_of(const Work& work, const std::string& system) {
   std::vector<std::string> profiles = profile_names(work);
-  std::ranges::stable_partition(profiles, [&](const std::string& name) { return name == work.default_profile; });
+  std::stable_partition(profiles.begin(), profiles.end(),
+                        [&](const std::string& name) { return name == work.default_profile; });
   for (const std::string& name : profiles) {
     const Profile profile = load_profile(work, name);
     const auto run = std::ranges::find_if(
