@@ -102,7 +102,7 @@ void set_up_messages() {
 
 }  // namespace
 
-int main(int argc, char** argv) {
+int main(int argc, char** argv) try {
   let_waiting_threads_give_way(argv);
   set_up_messages();
   std::vector<std::string> words(argv + 1, argv + argc);
@@ -159,8 +159,8 @@ int main(int argc, char** argv) {
     return status.get_exit_code();
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? 0 : usage_status;
-  } catch (const std::exception& error) {
-    fmt::print(stderr, "slfb: error: {}\n", error.what());
-    return failure_status;
   }
+} catch (const std::exception& error) {
+  fmt::print(stderr, "slfb: error: {}\n", error.what());
+  return failure_status;
 }

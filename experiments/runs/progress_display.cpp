@@ -144,8 +144,11 @@ std::string ProgressDisplay::running_jobs() const {
   std::string text;
   for (const Entry& entry : entries_)
     if (entry.state == State::running)
-      text += fmt::format("{}{} {:.0f} % ({}, {} left)", text.empty() ? "" : "; ", entry.job.label,
-                          100.0 * entry.fraction, entry.latest, format_duration(seconds_left(entry)));
+      // A job that has told nothing yet, as a figure that is drawn, is only named.
+      text += fmt::format("{}{}{}", text.empty() ? "" : "; ", entry.job.label,
+                          entry.reported ? fmt::format(" {:.0f} % ({}, {} left)", 100.0 * entry.fraction, entry.latest,
+                                                       format_duration(seconds_left(entry)))
+                                         : "");
   return text;
 }
 
