@@ -7,12 +7,13 @@ STUDIES ?= quick
 WARNINGS = $(if $(CI),-DCMAKE_COMPILE_WARNING_AS_ERROR=ON)
 SOURCES = git ls-files --cached --others --exclude-standard '*.cpp' '*.hpp'
 
-.PHONY: help figures pdf article man test program build install format layout lint sanitize parts debug asan tsan
+.PHONY: help figures pdf article man deb test program build install format layout lint sanitize parts debug asan tsan
 
 help:
 	@echo "make figures  the report from committed results, then simulations, then charts of methods (PROFILE, STUDIES = quick or full)"
 	@echo "make pdf      the report as build/report/report.pdf, after make figures"
 	@echo "make man      manual page and shell completion, build/slfb.1 and build/slfb.bash"
+	@echo "make deb      a Debian package, slfb_VERSION_ARCHITECTURE.deb in build; PRESET=portable for any x86-64 machine"
 	@echo "make article  the reproduction as an article, build/article/article.pdf"
 	@echo "make test     all tests"
 	@echo "make program  build/slfb alone"
@@ -32,10 +33,17 @@ pdf:
 	@.ci/install print
 	weasyprint --quiet build/report/print.html build/report/report.pdf
 
-man: program
-	@.ci/install tools
-	cmake --preset release
-	cmake --build --preset release --target man
+# PRESET and its folder of man and deb.
+PRESET ?= release
+BUILD = $(if $(filter release,$(PRESET)),build,build-$(PRESET))
+
+man: install
+	@.ci/install pack
+	cmake --preset $(PRESET) $(WARNINGS)
+	cmake --build --preset $(PRESET) --parallel $(JOBS) --target man
+
+deb: man
+	cd $(BUILD) && cpack -G DEB
 
 article: program
 	@.ci/install print

@@ -137,7 +137,8 @@ std::string notes(const FigurePage& figure) {
   }
   std::string html;
   if (!rows.empty())
-    html += "<h2>What sets the simulations apart from the paper's</h2>\n" + table_html({"Paper", "Here"}, rows);
+    html += "<h2>What sets the simulations apart from the paper's</h2>\n<div class=\"pairs\">" +
+            table_html({"Paper", "Here"}, rows) + "</div>\n";
   if (!others.empty()) html += "<details><summary>What else to know of it</summary><ul>" + others + "</ul></details>\n";
   return html;
 }

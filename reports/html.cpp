@@ -101,8 +101,7 @@ std::string table_html(const std::vector<std::string>& headings, const std::vect
   for (const auto& row : rows) {
     html += "<tr>";
     for (std::size_t i = 0; i < row.size(); ++i)
-      html += i == 0 ? "<td class=\"lead\">" + row[i] + "</td>"
-                     : fmt::format("<td data-label=\"{}\">{}</td>", labels[i], row[i]);
+      html += fmt::format("<td{} data-label=\"{}\">{}</td>", i == 0 ? " class=\"lead\"" : "", labels[i], row[i]);
     html += "</tr>\n";
   }
   return html + "</tbody></table></div>\n";

@@ -133,7 +133,8 @@ key=$(sed -n "${{SLURM_ARRAY_TASK_ID}}p" <<'RUNS'
 exec '{program}' run --profile {profile} "$key" --threads {threads} --out '{out}'
 JOB
 )
-sbatch --dependency=afterok:"$job" --job-name=slfb-{profile}-report --output='{out}/slurm-%j.log' <<'JOB'
+# It runs after failed runs too and says what is missing then.
+sbatch --dependency=afterany:"$job" --job-name=slfb-{profile}-report --output='{out}/slurm-%j.log' <<'JOB'
 #!/bin/sh
 {first}
 {second}

@@ -65,7 +65,10 @@ void rank(std::vector<StudiedReading>& readings) {
   });
 }
 
-std::string number_text(std::optional<double> value) { return value ? fmt::format("{:.1f}", *value) : "–"; }
+std::string number_text(std::optional<double> value) {
+  // Adding zero takes the sign from a value that rounds to zero.
+  return value ? fmt::format("{:.1f}", std::round(10.0 * *value) / 10.0 + 0.0) : "–";
+}
 
 /// Bars end cells of a Markdown table.
 std::string cell(std::string text) {

@@ -59,7 +59,7 @@ unset colorbox
 set lmargin at screen 0.845
 set rmargin at screen 0.99
 set tmargin at screen 1 - 60.0/height
-set bmargin at screen base + 0.5*(1 - base) + 60.0/height
+set bmargin at screen base + 0.5*(1 - base) + 80.0/height
 set title 'packed bed' font ',13'
 set xtics norotate autofreq font ',11'
 set ytics autofreq font ',11'
@@ -74,7 +74,7 @@ plot 'most_likely_paper_line.csv' skip 1 using 1:2 with lines linestyle 1 notitl
     with yerrorbars linecolor rgb curve_colour[k] pointtype curve_point[k] pointsize 0.8 notitle
 
 # V_2.
-set tmargin at screen base + 0.5*(1 - base) - 30.0/height
+set tmargin at screen base + 0.5*(1 - base) - 45.0/height
 set bmargin at screen base + 130.0/height
 set title 'settling' font ',13'
 set xrange [0.04:0.26]
