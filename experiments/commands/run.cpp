@@ -98,6 +98,10 @@ int print_plan(const Options& options, const Scene& scene) {
                     {"simulated_seconds", estimate.simulated_seconds},
                     {"simulated_seconds_at_most", estimate.longest_seconds},
                     {"particle_steps", estimate.particle_steps},
+                    {"dry_steps", estimate.dry_steps},
+                    {"packed_steps", estimate.packed_steps},
+                    {"exchange_steps", estimate.exchange_steps},
+                    {"cell_steps", estimate.cell_steps},
                     {"estimated_wall_seconds", wall_seconds},
                     {"estimated_memory_bytes", estimate.memory},
                     {"notes", remarks_on(scene)},
@@ -133,9 +137,10 @@ int print_plan(const Options& options, const Scene& scene) {
                                            estimate.simulated_seconds, typical_fall, estimate.longest_seconds)
                              : fmt::format("{:.2f} s", estimate.simulated_seconds));
   line("wall-clock time",
-       fmt::format("about {} on {} thread{}, at {:.1f} M particle steps and {:.1f} M cell steps per second and thread",
+       fmt::format("about {} on {} thread{} of a quiet machine: {:.3g} M steps of a sphere, {:.3g} M of a cell",
                    format_duration(wall_seconds), options.threads, options.threads == 1 ? "" : "s",
-                   1e-6 * particle_steps_per_core_second, 1e-6 * cell_steps_per_core_second));
+                   1e-6 * static_cast<double>(estimate.particle_steps),
+                   1e-6 * static_cast<double>(estimate.cell_steps)));
   line("memory", fmt::format("about {:.2g} GB", 1e-9 * estimate.memory));
   for (const std::string& remark : remarks_on(scene)) line("note", remark);
   line("result", result.string() + (exists ? " (exists: nothing would be simulated)" : ""));

@@ -8,6 +8,7 @@
 #include <limits>
 #include <numbers>
 
+#include "correlations/fluidisation/minimum_fluidisation/wen_yu_1966.hpp"
 #include "solver/fluid/column_grid.hpp"
 #include "solver/laws/scene_file.hpp"
 #include "solver/laws/user_law.hpp"
@@ -20,9 +21,20 @@ std::int64_t liquid_cells(const Scene& scene) {
   return static_cast<std::int64_t>(fluid::ColumnGrid(scene).size());
 }
 
+/// Up to which superficial velocity the bed counts as packed [m/s]; 0 where the spheres are not heavier than the
+/// liquid.
+double highest_packed_velocity(const Scene& scene) {
+  const auto species = std::ranges::find_if(scene.species, [](const Species& one) { return one.count > 0; });
+  if (species == scene.species.end() || species->density <= scene.liquid.density) return 0.0;
+  const fluidisation::PackedBed bed{{species->diameter, species->density},
+                                    {scene.liquid.density, scene.liquid.viscosity},
+                                    0.4};  // the law does not use the voidage
+  return packed_up_to * fluidisation::minimum_fluidisation::WenYu1966{}(bed);
+}
+
 }  // namespace
 
-RunEstimate estimate_run(const Scene& scene) {
+RunEstimate estimate_run(const Scene& scene, double fall) {
   RunEstimate estimate;
   for (const Species& species : scene.species) estimate.spheres += species.count;
   estimate.liquid_cells = liquid_cells(scene);
@@ -32,25 +44,45 @@ RunEstimate estimate_run(const Scene& scene) {
                                  : contact_time_step_bound(scene);
   estimate.steps_per_contact = std::numbers::pi * estimate.time_step_bound / scene.contact.time_step;
 
+  const double packed_velocity = highest_packed_velocity(scene);
+  const bool at_rest_below = scene.liquid.superficial_velocity <= packed_velocity;
   bool dropping = false;
-  double settling_seconds = 0.0;
+  double settling_seconds = 0.0, dry_seconds = 0.0, packed_seconds = 0.0;
   for (const Stage& stage : scene.stages) {
+    double seconds = stage.duration;
+    bool packed = false;
     if (stage.kind == StageKind::drop) {
       dropping = true;
-      estimate.simulated_seconds += stage.repetitions * (std::min(stage.duration, typical_fall) + stage.relaxation);
+      seconds = stage.repetitions * (std::min(stage.duration, fall) + stage.relaxation);
       estimate.longest_seconds += stage.repetitions * (stage.duration + stage.relaxation);
+      packed = at_rest_below;
     } else {
-      estimate.simulated_seconds += stage.duration;
       estimate.longest_seconds += stage.duration;
-      if (stage.kind == StageKind::settle) settling_seconds += stage.duration;
+      if (stage.kind == StageKind::settle) {
+        settling_seconds += seconds;
+        if (stage.dry) dry_seconds += seconds;
+        packed = !stage.dry;
+      } else {
+        packed = stage.superficial_velocity > 0.0 ? stage.superficial_velocity <= packed_velocity : at_rest_below;
+      }
     }
+    estimate.simulated_seconds += seconds;
+    if (packed) packed_seconds += seconds;
   }
   const double spheres = static_cast<double>(estimate.spheres + (dropping ? 1 : 0));
-  estimate.particle_steps = std::llround(spheres * estimate.simulated_seconds / scene.contact.time_step);
+  const double moves = spheres / scene.contact.time_step;
+  estimate.particle_steps = std::llround(moves * estimate.simulated_seconds);
+  estimate.dry_steps = std::llround(moves * dry_seconds);
+  estimate.packed_steps = std::llround(moves * packed_seconds);
+  estimate.exchange_steps = std::llround(spheres * (estimate.simulated_seconds - dry_seconds) / scene.fluid.time_step);
   estimate.cell_steps = std::llround(static_cast<double>(estimate.liquid_cells) *
                                      (estimate.simulated_seconds - settling_seconds) / scene.fluid.time_step);
-  estimate.core_seconds = static_cast<double>(estimate.particle_steps) / particle_steps_per_core_second +
-                          static_cast<double>(estimate.cell_steps) / cell_steps_per_core_second;
+  const CostPerCount cost;
+  const std::int64_t loose_steps = estimate.particle_steps - estimate.dry_steps - estimate.packed_steps;
+  estimate.core_seconds =
+      cost.dry * static_cast<double>(estimate.dry_steps) + cost.packed * static_cast<double>(estimate.packed_steps) +
+      cost.loose * static_cast<double>(loose_steps) + cost.exchange * static_cast<double>(estimate.exchange_steps) +
+      cost.cell * static_cast<double>(estimate.cell_steps);
   estimate.memory =
       bytes_at_least + bytes_per_sphere * spheres + bytes_per_cell * static_cast<double>(estimate.liquid_cells);
   return estimate;
