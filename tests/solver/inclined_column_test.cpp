@@ -127,7 +127,9 @@ TEST(InclinedColumn, ThePressureDropCarriesTheWeightAlongTheAxis) {
       EXPECT_NEAR(mean(bed.pressure_drop) * scene.geometry.cross_section() + mean(bed.bottom_force),
                   buoyant * std::cos(in_radians(angle)), 0.02 * buoyant);
       // A liquid of one dimension may hold a leaning bed as a plug.
-      if (tier == FluidTier::three_dimensional) EXPECT_LT(mean(bed.bottom_force), 0.1 * buoyant) << "it is fluidised";
+      if (tier == FluidTier::three_dimensional) {
+        EXPECT_LT(mean(bed.bottom_force), 0.1 * buoyant) << "it is fluidised";
+      }
     }
 }
 
