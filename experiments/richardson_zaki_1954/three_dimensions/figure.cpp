@@ -2,11 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "experiments/figures/figure_folder.hpp"
 #include "experiments/figures/figure_support.hpp"
-#include "experiments/league/standings.hpp"
+#include "experiments/quantities/analysis.hpp"
 #include "experiments/richardson_zaki_1954/beds.hpp"
 #include "experiments/richardson_zaki_1954/figures.hpp"
 #include "experiments/richardson_zaki_1954/numbers.hpp"
@@ -37,19 +36,7 @@ struct Errors {
     }
     of_beds.push_back(sum / static_cast<double>(errors.size()));
   }
-  [[nodiscard]] double mean() const {
-    double sum = 0.0;
-    for (const double error : of_beds) sum += error;
-    return sum / static_cast<double>(of_beds.size());
-  }
-  [[nodiscard]] double half_width() const {
-    const std::size_t count = of_beds.size();
-    if (count < 2) return std::numeric_limits<double>::quiet_NaN();
-    double sum = 0.0;
-    for (const double error : of_beds) sum += std::pow(error - mean(), 2);
-    const auto size = static_cast<double>(count);
-    return league::student_factor(0.95, count - 1) * std::sqrt(sum / (size - 1.0) / size);
-  }
+  [[nodiscard]] ReplicateEstimate over_beds() const { return estimate_replicates(of_beds); }
   [[nodiscard]] double root_mean_square() const { return std::sqrt(squares / points); }
 };
 
@@ -94,13 +81,14 @@ FigureOutput draw(const FigureContext& context) {
     if (run.points == 0) continue;
     drawn.push_back(law);
     const auto place = static_cast<double>(drawn.size());
+    const ReplicateEstimate still = root.over_beds(), moving = run.over_beds();
     homogeneous.rows.push_back(
-        {place - 0.08, root.mean(), root.half_width(), root.root_mean_square(), root.worst, double(root.points)});
+        {place - 0.08, still.mean, still.half_width, root.root_mean_square(), root.worst, double(root.points)});
     simulated.rows.push_back(
-        {place + 0.08, run.mean(), run.half_width(), run.root_mean_square(), run.worst, double(run.points)});
-    largest_shift = std::max(largest_shift, std::abs(run.mean() - root.mean()));
+        {place + 0.08, moving.mean, moving.half_width, run.root_mean_square(), run.worst, double(run.points)});
+    largest_shift = std::max(largest_shift, std::abs(moving.mean - still.mean));
     rows += fmt::format("| {} | {:+.3f} ± {:.3f} | {:.3f} | {:+.3f} ± {:.3f} | {:.3f} | {:.3f} | {} |\n", law,
-                        root.mean(), root.half_width(), root.root_mean_square(), run.mean(), run.half_width(),
+                        still.mean, still.half_width, root.root_mean_square(), moving.mean, moving.half_width,
                         run.root_mean_square(), run.worst, run.points);
   }
   output.caption = folder.caption(
