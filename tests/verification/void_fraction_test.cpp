@@ -319,6 +319,38 @@ TEST(VoidFraction, ParticleMeshingConvergesToTheExactOverlap) {
   EXPECT_LT(error(20000), 0.5 * error(1214));
 }
 
+// Eqs. 32-34 of Peng 2014 word by word: every piece of a sphere lies whole in the cell that holds its centroid. In
+// cells larger than the sphere, and in small ones, where a sphere spans several.
+TEST(VoidFraction, ParticleMeshingCountsThePiecesInEachCell) {
+  constexpr int pieces = 500;
+  const auto centroids = meshing_template(pieces);
+  const dem::Particles particles = spheres_in_column();
+  for (int cells : {5, 7, 12, 30}) {
+    const fluid::ColumnGrid grid(column(cells));
+    VolumeShares meshed(scheme_of(VoidFractionScheme::particle_meshing, pieces), grid, 0.003);
+    meshed.update(particles, 1);
+    for (std::size_t i = 0; i < particles.size(); ++i) {
+      const std::array<double, 3> x = particles.position.at(i);
+      const double r = particles.radius[i];
+      if (std::hypot(x[0], x[1]) + r > 0.017 || x[2] < r) continue;  // whole squares only
+      std::vector<int> expected(grid.size(), 0);
+      for (const auto& piece : centroids) {
+        const auto square = [&](std::size_t a) {
+          return static_cast<int>(std::floor((x[a] + r * piece[a] - grid.lower(a)) / grid.spacing(a)));
+        };
+        const int layer = static_cast<int>(std::floor((x[2] + r * piece[2]) / grid.cell_height()));
+        ++expected[static_cast<std::size_t>(grid.cell_of_square(square(0), square(1)) * grid.layers() + layer)];
+      }
+      for (int m = 0; m < meshed.count(i); ++m) {
+        int& count = expected[meshed.cells(i)[m]];
+        EXPECT_NEAR(meshed.shares(i)[m] * pieces, count, 1e-9) << "sphere " << i << ", " << cells << " cells across";
+        count = 0;
+      }
+      EXPECT_EQ(std::accumulate(expected.begin(), expected.end(), 0), 0) << "a cell is missing, sphere " << i;
+    }
+  }
+}
+
 TEST(MeshingTemplate, HasTheBallsCentreAndSecondMoment) {
   for (int pieces : {1, 20, 1214, 5000}) {
     const auto centroids = meshing_template(pieces);

@@ -12,12 +12,12 @@ std::vector<std::array<double, 3>> meshing_template(int pieces);
 class ParticleMeshing final : public ShareScheme {
  public:
   /// \param pieces N, coupling.meshing_pieces
-  explicit ParticleMeshing(int pieces) : pieces_(meshing_template(pieces)) {}
+  explicit ParticleMeshing(int pieces);
 
   std::size_t share_out(const Balls& balls, ShareTable& table, int threads) const override;
 
  private:
-  std::vector<std::array<double, 3>> pieces_;
+  std::array<std::vector<double>, 3> centroids_;  ///< of the unit ball's pieces along each axis [-]
 };
 
 }  // namespace slfb::coupling
