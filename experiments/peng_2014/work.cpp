@@ -52,10 +52,9 @@ Work put_together() {
   work.reference = &peng_2014();
   work.figures = figures();
   work.shown_beside = "full";
-  work.with_scene_stiffness = {"springs", "paper-steps"};
+  work.with_scene_stiffness = {"paper-steps"};
   work.unchanged = {{"packed", default_reading}};
-  work.read_by_figures = {"drag-law", "causes",    "lattice",    "springs", "paper-steps",
-                          "packed",   "screening", "candidates", "literal"};
+  work.read_by_figures = {"drag-law", "causes", "lattice", "paper-steps", "packed", "screening", "candidates", "literal"};
   work.stated_liquid_step = peng_2014().value("fluid_time_step");
   work.without_runs = measure_without_runs;
   work.name_causes = name_causes;

@@ -96,7 +96,7 @@ TEST_P(EachProfile, SayWhatSetsThemApart) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(All, EachProfile, testing::Values("quick", "full", "springs", "paper-steps"));
+INSTANTIATE_TEST_SUITE_P(All, EachProfile, testing::Values("quick", "full", "paper-steps"));
 
 class ProfileOfReadings : public testing::TestWithParam<std::string> {};
 
@@ -132,7 +132,7 @@ TEST(Profiles, UnknownNameListsTheKnownOnes) {
     EXPECT_NE(std::string(error.what())
                   .find("known: \"candidates\", \"causes\", \"drag-law\", \"full\", \"lattice\", \"literal\", "
                         "\"packed\", \"paper-steps\", "
-                        "\"quick\", \"screening\", \"seconds\", \"springs\""),
+                        "\"quick\", \"screening\", \"seconds\""),
               std::string::npos)
         << error.what();
   }

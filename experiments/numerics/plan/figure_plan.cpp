@@ -99,12 +99,6 @@ FigurePlan plan_figure(const FigureQuestion& question, const Scene& scene, const
   return entry;
 }
 
-bool counts_contacts(const FigureQuestion& question) {
-  return std::ranges::any_of(question.asked, [](const std::string& quantity) {
-    return quantity == "contacts" || quantity == "collision_frequency" || quantity == "peak_force";
-  });
-}
-
 std::string figure_plans_text(const std::vector<FigurePlan>& plans) {
   std::string text = fmt::format(
       "{:<17}{:<17}{:<26}{:>10}{:>10}{:>10}{:>10}  {}\n{:<17}{:<17}{:<26}{:>10}{:>10}{:>10}{:>10}  {}\n", "",

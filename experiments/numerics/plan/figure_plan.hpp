@@ -44,10 +44,6 @@ struct FigurePlan {
 FigurePlan plan_figure(const FigureQuestion& question, const Scene& scene, const Scene& published,
                        const Scene& simulated, const std::string& profile, const Rules& rules);
 
-/// Whether some asked quantity depends on the contact stiffness, so that the figure draws a run with the scene's
-/// springs.
-bool counts_contacts(const FigureQuestion& question);
-
 /// As text for a terminal, two lines a figure under a heading.
 std::string figure_plans_text(const std::vector<FigurePlan>& plans);
 

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <stdexcept>
-#include <string_view>
 
 #include "experiments/peng_2014/work.hpp"
 #include "experiments/runs/measure.hpp"
@@ -22,10 +21,8 @@ std::vector<plan::FigurePlan> figure_plans() {
     auto published = question.scene;
     published.emplace_back("contact.allow_large_time_step=true");
     const Scene as_published = load_scene(folder / "scenes" / "6in5W_paper-literal.toml", published);
-    // Contacts are counted in runs with the scene's own springs.
     const std::size_t before = plans.size();
-    for (const char* name : {"springs", "quick", "full"}) {
-      if (!plan::counts_contacts(question) && std::string_view(name) == "springs") continue;
+    for (const char* name : {"quick", "full"}) {
       const Profile profile = load_profile(name);
       const auto spec =
           std::ranges::find_if(profile.runs, [&](const RunSpec& run) { return run_key(run) == question.run; });
