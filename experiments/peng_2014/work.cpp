@@ -54,7 +54,8 @@ Work put_together() {
   work.shown_beside = "full";
   work.with_scene_stiffness = {"paper-steps"};
   work.unchanged = {{"packed", default_reading}};
-  work.read_by_figures = {"drag-law", "causes", "lattice", "paper-steps", "packed", "screening", "candidates", "literal"};
+  work.read_by_figures = {"drag-law",    "causes",    "lattice",    "paper-steps", "packed",
+                          "defluidised", "screening", "candidates", "literal"};
   work.stated_liquid_step = peng_2014().value("fluid_time_step");
   work.without_runs = measure_without_runs;
   work.name_causes = name_causes;

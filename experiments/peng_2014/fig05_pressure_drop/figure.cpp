@@ -8,6 +8,8 @@
 #include "experiments/peng_2014/figures.hpp"
 #include "experiments/peng_2014/paper_conditions.hpp"
 #include "experiments/peng_2014/reference.hpp"
+#include "experiments/peng_2014/work.hpp"
+#include "experiments/runs/measure.hpp"
 
 namespace slfb::fig05_pressure_drop {
 namespace {
@@ -45,6 +47,21 @@ struct PackedLine {
   double voidage;
   std::string title, file;
 };
+
+DataTable pressure_drops(const char* name, const Measurements& measurements) {
+  DataTable table{
+      name, {"superficial velocity [m/s]", "mean pressure drop [Pa]", "half width of its 95 % interval [Pa]"}, {}};
+  for (const auto& point : measured_points(measurements, "pressure_drop", system_name))
+    table.rows.push_back({point.superficial_velocity, point.value, point.half_width});
+  return table;
+}
+
+/// Beds that were fluidised before the flow was taken down.
+Measurements measure_defluidised(const std::filesystem::path& results) {
+  std::vector<FinishedRun> runs = finished_runs(load_profile("defluidised"), results);
+  std::erase_if(runs, [](const FinishedRun& run) { return run.stale; });
+  return measure_runs(runs, peng_2014_work().measuring);
+}
 
 FigureOutput draw(const FigureContext& context) {
   const auto keys = needs(context.profile);
@@ -91,12 +108,11 @@ FigureOutput draw(const FigureContext& context) {
                                   context.out));
   output.data.push_back(write_csv(crossings, context.out));
 
-  DataTable simulated{"fig05_simulated",
-                      {"superficial velocity [m/s]", "mean pressure drop [Pa]", "half width of its 95 % interval [Pa]"},
-                      {}};
-  for (const auto& point : measured_points(context.measurements, "pressure_drop", system_name))
-    simulated.rows.push_back({point.superficial_velocity, point.value, point.half_width});
-  add_series("simulated", {{std::move(simulated), series_title(context, system_name, ""), 2}}, values, context, output);
+  std::vector<Series> simulated{
+      {pressure_drops("fig05_simulated", context.measurements), series_title(context, system_name, ""), 2}};
+  DataTable defluidised = pressure_drops("fig05_defluidised", measure_defluidised(context.results));
+  if (!defluidised.rows.empty()) simulated.push_back({std::move(defluidised), "here, fluidised at 0.10 m/s first", 5});
+  add_series("simulated", simulated, values, context, output);
 
   draw_plot_of_runs("fig05", folder.plot(), values, {520, 730}, context, keys);
   return output;
