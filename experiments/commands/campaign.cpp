@@ -29,9 +29,15 @@ constexpr const char* examples = R"(Examples:
   slfb campaign merge machine-1 machine-2         bring the results of several machines together, in DIR/runs
 
 The jobs are the runs of the profile that have no result in DIR/runs, and, when all are done, the figures and the
-claims. Many machines may write to one DIR: each run has a folder of its own and a lock in it. A job that is killed goes
-on from its last checkpoint when it is started again. A result is refused by merge if its numerics version is not that of
-this program, or if its scene is not the one that its name stands for.)";
+claims. Many machines may write to one DIR: each run has a folder of its own and a lock in it. A run that is killed is
+started again, three times at most, and goes on from its last checkpoint; the other runs are not touched. With Slurm, a
+run that needs more time than asked for saves its state and is put into the queue again, five times at most. Whatever
+else happens: write the jobs again, and they are the runs that are still to do.
+A result is refused by merge if its numerics version is not that of this program, or if its scene is not the one that its
+name stands for.)";
+
+/// How often a run is started where it is killed each time. The status of a killed one is 137 (128 + SIGKILL).
+constexpr int tries = 4;
 
 struct Options {
   std::string profile, to, work;
@@ -61,18 +67,41 @@ struct Jobs {
   }
 };
 
+/// "1 2 3" for 3.
+std::string numbers_to(int last) {
+  std::string text = "1";
+  for (int number = 2; number <= last; ++number) text += fmt::format(" {}", number);
+  return text;
+}
+
 std::string as_make(const Jobs& jobs) {
-  std::string text = fmt::format(
-      "# The runs of profile {0}, then its figures and claims: make -f FILE -j N\n.PHONY: all\nall:", jobs.profile);
-  std::string rules;
+  std::string results, keys, last;
   for (const RunEntry& entry : jobs.runs) {
     const std::string result = result_file(jobs.out, entry.hash).string();
-    text += " \\\n  " + result;
-    rules += fmt::format("\n{}:\n\t{}\n", result, jobs.run(entry.key));
+    results += " \\\n  " + result;
+    keys += fmt::format("{}: key = {}\n", result, entry.key);
   }
-  text += "\n";
-  for (const std::string& command : jobs.last()) text += "\t" + command + "\n";
-  return text + rules;
+  for (const std::string& command : jobs.last()) last += "\t" + command + "\n";
+  std::string text =
+      fmt::format(R"(# The runs of profile {profile}, then its figures and claims: make -f FILE -j N
+# A run that fails does not stop the others.
+MAKEFLAGS += --keep-going
+results ={results}
+
+.PHONY: all
+all: $(results)
+{last})",
+                  fmt::arg("profile", jobs.profile), fmt::arg("results", results), fmt::arg("last", last));
+  if (jobs.runs.empty()) return text;
+  return text + fmt::format(R"(
+# A run that is killed (status 137) goes on from its last checkpoint.
+$(results):
+	@for try in {tries}; do {run}; status=$$?; \
+	  [ $$status -eq 137 ] || exit $$status; done; exit 137
+
+{keys})",
+                            fmt::arg("tries", numbers_to(tries)), fmt::arg("run", jobs.run("$(key)")),
+                            fmt::arg("keys", keys));
 }
 
 std::string as_snakemake(const Jobs& jobs) {
@@ -81,7 +110,9 @@ std::string as_snakemake(const Jobs& jobs) {
     runs += fmt::format("    \"{}\": (\"{}\", {}),\n", entry.hash, entry.key, jobs.minutes(entry));
   for (const std::string& command : jobs.last()) last += fmt::format("{}{}", last.empty() ? "" : " && ", command);
   return fmt::format(
-      R"(# The runs of profile {profile}, then its figures and claims: snakemake --cores N
+      R"(# The runs of profile {profile}, then its figures and claims: snakemake --cores N --keep-going
+# If snakemake itself was killed: snakemake --unlock, then the same with --ignore-incomplete (a result is written whole
+# or not at all).
 # Hash of a run: its key, and the minutes that it may take.
 RUNS = {{
 {runs}}}
@@ -94,16 +125,19 @@ rule all:
 rule run:
     output: OUT + "/runs/{{hash}}/result.h5"
     params: key=lambda wildcards: RUNS[wildcards.hash][0]
+    retries: {retries}  # a run that is killed goes on from its last checkpoint
     threads: {threads}
     resources: runtime=lambda wildcards: RUNS[wildcards.hash][1]
     shell: "'{program}' run --profile {profile} {{params.key}} --threads {{threads}} --out '{out}'"
 )",
       fmt::arg("profile", jobs.profile), fmt::arg("runs", runs), fmt::arg("out", jobs.out.string()),
-      fmt::arg("last", last), fmt::arg("threads", jobs.threads), fmt::arg("program", jobs.program));
+      fmt::arg("last", last), fmt::arg("threads", jobs.threads), fmt::arg("program", jobs.program),
+      fmt::arg("retries", tries - 1));
 }
 
-/// An array of jobs and one that waits for it. A job that runs out of time is told so two minutes before (SIGTERM), and
-/// saves its state; `exec` lets the signal reach it.
+/// An array of jobs and one that waits for it. A job that runs out of time is told so two minutes before (SIGUSR1),
+/// saves its state and asks for another turn. The shell passes signals on as SIGINT: Slurm sends SIGTERM to the shell
+/// and to the run, and a run that is told the same twice ends without saving.
 std::string as_slurm(const Jobs& jobs) {
   if (jobs.runs.empty()) return fmt::format("#!/bin/sh\nset -e\n{}\n{}\n", jobs.last()[0], jobs.last()[1]);
   std::string keys;
@@ -123,14 +157,32 @@ job=$(sbatch --parsable <<'JOB'
 #SBATCH --array=1-{count}
 #SBATCH --cpus-per-task={threads}
 #SBATCH --time={minutes}
-#SBATCH --signal=B:TERM@120
+#SBATCH --signal=B:USR1@120
 #SBATCH --requeue
 #SBATCH --open-mode=append
 #SBATCH --output={out}/slurm-%A_%a.log
 key=$(sed -n "${{SLURM_ARRAY_TASK_ID}}p" <<'RUNS'
 {keys}RUNS
 )
-exec '{program}' run --profile {profile} "$key" --threads {threads} --out '{out}'
+told= run=
+trap 'told=stop; kill -INT $run' TERM
+trap 'told=time; kill -INT $run' USR1
+for try in {tries}; do
+  {run} &
+  run=$!
+  wait $run
+  status=$?
+  # A signal ends the wait; the run is still saving its state then.
+  [ -z "$told" ] || {{ wait $run; status=$?; }}
+  # A run that is killed goes on from its last checkpoint.
+  [ -z "$told" ] && [ $status -eq 137 ] || break
+  echo "slfb was killed: $key, try $try of {last_try}"
+done
+if [ "$told" = time ] && [ $status -ne 0 ] && [ "${{SLURM_RESTART_COUNT:-0}}" -lt 5 ]; then
+  echo "out of time, put into the queue again: $key"
+  scontrol requeue "$SLURM_JOB_ID"
+fi
+exit $status
 JOB
 )
 # It runs after failed runs too and says what is missing then.
@@ -142,12 +194,17 @@ JOB
 )",
       fmt::arg("profile", jobs.profile), fmt::arg("out", jobs.out.string()), fmt::arg("count", jobs.runs.size()),
       fmt::arg("threads", jobs.threads), fmt::arg("minutes", minutes), fmt::arg("keys", keys),
-      fmt::arg("program", jobs.program), fmt::arg("first", jobs.last()[0]), fmt::arg("second", jobs.last()[1]));
+      fmt::arg("run", jobs.run("\"$key\"")), fmt::arg("tries", numbers_to(tries)), fmt::arg("last_try", tries),
+      fmt::arg("first", jobs.last()[0]), fmt::arg("second", jobs.last()[1]));
 }
 
 void write_campaign(const Options& options) {
   const Profile profile = load_profile(find_work(works(), options.work), options.profile);
-  Jobs jobs{fs::read_symlink("/proc/self/exe").string(), profile.name, fs::absolute(options.out), options.threads, {}};
+  Jobs jobs{fs::read_symlink("/proc/self/exe").string(),
+            profile.name,
+            fs::absolute(options.out).lexically_normal(),
+            options.threads,
+            {}};
   for (RunEntry& entry : run_entries(profile, options.out))
     if (entry.needed) jobs.runs.push_back(std::move(entry));
   // The longest first, so that the last to end are short.

@@ -160,7 +160,8 @@ void PhaseCoupling::read_at_spheres(const dem::Engine& engine, double time_step)
         for (std::size_t a = 0; a < 3; ++a) velocity_correction_[a][i] = u[a] - value[CellValues::velocity_x + a];
       const double x = u[0] - particles.velocity.x[i], y = u[1] - particles.velocity.y[i],
                    z = u[2] - particles.velocity.z[i];
-      voidage_[i] = value[CellValues::voidage];
+      // Sums of shares round; a law may take a root of what is left for the spheres.
+      voidage_[i] = std::min(value[CellValues::voidage], 1.0);
       // Equation (25)
       reynolds_[i] = density * 2.0 * particles.radius[i] * voidage_[i] * std::sqrt(x * x + y * y + z * z) / viscosity;
     }

@@ -12,6 +12,7 @@
 #include "solver/dem/granular_temperature.hpp"
 #include "solver/laws/user_law.hpp"
 #include "solver/run/bed_heights.hpp"
+#include "solver/run/run_title.hpp"
 
 namespace slfb::simulation {
 
@@ -41,7 +42,7 @@ void BedRecorder::measure_packed_bed(const Model& model, bool in_liquid) {
         "{}: at the end of settling the spheres still move, at {:.2g} m/s on the average (root mean square; a bed at "
         "rest has less than {:g}): what is called the packed bed has not come to rest; a longer stage of kind = "
         "\"settle\" may help",
-        scene_.title, speed, resting_speed);
+        run_title(scene_), speed, resting_speed);
 }
 
 void BedRecorder::look_for_standing_bed() const {
@@ -65,7 +66,7 @@ void BedRecorder::look_for_standing_bed() const {
       "{}: the bed stands still (velocities of {:.2g} m/s) although liquid.superficial_velocity = {:g} m/s is {:.2f} "
       "times its minimum fluidisation velocity of {:.3g} m/s ({} at a voidage of {:.2f}): friction at near walls or a "
       "bridge may hold it, or it rests as a plug; a wider column or tier = \"three-dimensional\" would tell",
-      scene_.title, speed, velocity, velocity / minimum, minimum, scene_.coupling.drag_law, voidage);
+      run_title(scene_), speed, velocity, velocity / minimum, minimum, scene_.coupling.drag_law, voidage);
 }
 
 bool BedRecorder::sample(const Model& model, double time, double superficial_velocity) {
@@ -123,7 +124,7 @@ void BedRecorder::sample_contact_forces(const Model& model, double time) {
     spdlog::warn(
         "{}: at {:.3f} s the contacts of one sphere make up to {:.2f} of contact.time_step = {:g} s; steps are surely "
         "stable only below 2 (step times frequency, 2 sum k/m per sphere), so that here {:.3g} s would be needed",
-        scene_.title, time, network_step, time_step, 2.0 / network_step * time_step);
+        run_title(scene_), time, network_step, time_step, 2.0 / network_step * time_step);
   }
 }
 

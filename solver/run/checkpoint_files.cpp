@@ -10,7 +10,7 @@ namespace slfb::simulation {
 namespace {
 
 /// Of the names in a checkpoint and their meaning; raised when they change.
-constexpr std::int64_t state_version = 2;
+constexpr std::int64_t state_version = 3;
 
 bool is_records(const std::string& name) { return name.starts_with("records_") && name.find('/') == std::string::npos; }
 

@@ -8,6 +8,7 @@
 #include "solver/io/vtkhdf.hpp"
 #include "solver/laws/user_law.hpp"
 #include "solver/run/plugs.hpp"
+#include "solver/run/run_title.hpp"
 #include "solver/support/files.hpp"
 
 namespace slfb::simulation {
@@ -22,7 +23,7 @@ Recorder::Recorder(const Scene& scene, Model& model, const Schedule& schedule, c
       drop_(result),
       liquid_(scene, model, result),
       balance_(scene),
-      law_range_(find_drag_law(scene.coupling.drag_law).info),
+      law_range_(find_drag_law(scene.coupling.drag_law).info, scene.species),
       result_(result) {}
 
 void Recorder::end_step() {
@@ -62,7 +63,8 @@ void Recorder::stage_ended() {
 
 void Recorder::run_ended() const {
   if (const std::string sentence = law_range_.sentence(); !sentence.empty())
-    spdlog::warn("{}: {}", scene_.title, sentence);
+    spdlog::log(law_range_.often_outside() ? spdlog::level::warn : spdlog::level::info, "{}: {}", run_title(scene_),
+                sentence);
 }
 
 bool Recorder::warn_of_plugs() const {
@@ -70,7 +72,7 @@ bool Recorder::warn_of_plugs() const {
   if (!liquid.two_way() || liquid.grid().cells() > 1) return false;
   const std::string warning = describe(find_plugs(model_), scene_.liquid.superficial_velocity);
   if (warning.empty()) return false;
-  spdlog::warn("{}: at {:g} s {}", scene_.title, schedule_.fluidised_seconds(), warning);
+  spdlog::warn("{}: at {:g} s {}", run_title(scene_), schedule_.fluidised_seconds(), warning);
   return true;
 }
 

@@ -15,6 +15,7 @@
 #include "solver/run/model.hpp"
 #include "solver/run/provenance.hpp"
 #include "solver/run/recorder.hpp"
+#include "solver/run/run_title.hpp"
 #include "solver/run/schedule.hpp"
 
 namespace slfb {
@@ -78,7 +79,7 @@ Simulation::Simulation(const Scene& scene, const RunOptions& options)
 RunOutcome Simulation::run() {
   std::filesystem::create_directories(options_.directory);
   if (const auto reason = coupling::imbalance_of_forces(scene_); !reason.empty())
-    spdlog::warn("{}: {}", scene_.title, reason);
+    spdlog::warn("{}: {}", run_title(scene_), reason);
   model_.fill();
   resume();
   if (options_.started) options_.started();
@@ -156,7 +157,7 @@ void Simulation::warn_of_deep_overlaps() {
       "{}: {:.6g} s after the start of the run sphere {} overlaps {} by {:.2g} of the smaller radius, at "
       "({:.3g}, {:.3g}, {:.3g}) m; above {:g} spheres do not act as spheres any more; contacts some {:.2g} times as "
       "stiff, with contact.time_step as the check then asks, would stay well below that",
-      scene_.title, result_.simulated_seconds, deepest->first, other, deepest->share, deepest->place.x,
+      run_title(scene_), result_.simulated_seconds, deepest->first, other, deepest->share, deepest->place.x,
       deepest->place.y, deepest->place.z, dem::Engine::deep_overlap, ratio * ratio);
 }
 
@@ -169,7 +170,7 @@ void Simulation::advance_drop() {
     recorder_.record_drop(drops_, at_bottom, over);
     if (!over) return;
     if (gone) {
-      spdlog::warn("{}: the {} sphere has left through the outlet {:.3f} s after its release", scene_.title,
+      spdlog::warn("{}: the {} sphere has left through the outlet {:.3f} s after its release", run_title(scene_),
                    schedule_.stage().species, drops_.fall_seconds());
       take_out(1);
     }
@@ -191,7 +192,7 @@ void Simulation::release_if_free() {
     recorder_.drop_started(species.name);
   } else if (drops_.waited_too_long()) {
     spdlog::warn("{}: no {} sphere is released at z = {} m: for {} s some sphere of the bed was in the way there",
-                 scene_.title, species.name, stage.release_height, stage.duration);
+                 run_title(scene_), species.name, stage.release_height, stage.duration);
     drops_.give_up();
   }
 }

@@ -223,6 +223,45 @@ TEST_F(Situations, ALawOutsideItsRangeIsSaidBeforeAndAfterTheRun) {
   EXPECT_GT(-drop.velocity_z.at(drop.velocity_z.size() / 2), 0.9);
 }
 
+// A sphere that is let go has Re = 0 in its first step, below what Di Felice's law is made for: that moves nothing.
+TEST_F(Situations, ALawThatIsHardlyEverOutsideItsRangeIsNoWarning) {
+  const std::string text =
+      tube("50 mm", "density = 998.2\nviscosity = \"30 cP\"\n", "diameter = \"0.5 mm\"\ndensity = 2230\n");
+  const auto said = [&](const std::string& duration) {
+    const Scene scene =
+        parse_scene(text, "scene.toml",
+                    {"coupling.drag_law=di-felice-1994", "contact.time_step=0.1 ms", "fluid.time_step=0.1 ms",
+                     "recording.bed_interval=0.1 ms", "stage[0].duration=" + duration});
+    const Folder folder;
+    return logged([&] { run_scene(scene, {.directory = folder.path()}); });
+  };
+  const std::string whole = said("0.5 s");
+  EXPECT_NE(whole.find("[info] "), std::string::npos) << whole;
+  EXPECT_NE(whole.find("was asked outside its range"), std::string::npos) << whole;
+  EXPECT_EQ(whole.find("[warning] "), std::string::npos) << whole;
+  // Of 200 steps one is enough to be told.
+  const std::string start = said("20 ms");
+  EXPECT_NE(start.find("[warning] run "), std::string::npos) << start;
+}
+
+// One sphere among many has a small share of all samples; it is the one that is measured. Alone above the bed it has a
+// voidage of 1 and not of some rounding more, where Tang's law would take the root of a negative number.
+TEST_F(Situations, ALawsRangeIsJudgedForEachSpecies) {
+  const std::string text = box +
+                           "[[species]]\nname = \"steel\"\ndiameter = \"6 mm\"\ndensity = 7800\n[[stage]]\n"
+                           "kind = \"drop\"\nspecies = \"steel\"\nrelease_height = \"0.14 m\"\nduration = \"0.1 s\"\n";
+  const std::string said = logged([&] {
+    run(parse_scene(text, "scene.toml", {"coupling.drag_law=gidaspow-1994", "recording.bed_interval=1 ms"}));
+  });
+  EXPECT_EQ(said.find("outside its range"), std::string::npos) << said;
+  const std::string outside = logged([&] {
+    const Folder folder;
+    run_scene(parse_scene(text, "scene.toml", {"coupling.drag_law=tang-2015", "recording.bed_interval=1 ms"}),
+              {.directory = folder.path()});
+  });
+  EXPECT_NE(outside.find("samples of steel"), std::string::npos) << outside;
+}
+
 TEST_F(Situations, AViscosityInCentipoise) {
   EXPECT_DOUBLE_EQ(parse_scene(box, "scene.toml", {"liquid.viscosity=1.8 cP"}).liquid.viscosity, 1.8e-3);
 }
