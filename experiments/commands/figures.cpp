@@ -154,10 +154,6 @@ int decide_claims(const Work& work, const Options& options) {
   if (options.publish) {
     for (const RunSpec& spec : with_more_runs(with_shown_runs(work, profile), outcome.more).runs)
       publish(work, profile, spec, options.out);
-    for (const std::string& name : work.with_scene_stiffness) {
-      const Profile stiff = load_profile(work, name);
-      for (const RunSpec& spec : with_more_runs(stiff, outcome.more).runs) publish(work, stiff, spec, options.out);
-    }
     save_more_runs(outcome.more, published_more_runs_file(work));
   }
   fmt::print("{}", decide_text(outcome));

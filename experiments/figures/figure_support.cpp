@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 #include <sstream>
 #include <tuple>
 
@@ -103,18 +104,19 @@ const FinishedRun* find_contact_run(const FigureContext& context, const std::vec
 }
 
 std::string springs_note(const std::vector<FinishedRun>& own_springs) {
-  std::vector<std::string> profiles, keys;
-  for (const FinishedRun& run : own_springs) {
-    if (std::ranges::find(profiles, run.spec.profile) == profiles.end()) profiles.push_back(run.spec.profile);
-    keys.push_back(run_key(run.spec));
-  }
+  std::set<std::string> keys;
+  for (const FinishedRun& run : own_springs)
+    keys.insert(run_key(run.spec.system, run.spec.superficial_velocity, run.spec.variant));
   std::string settings;
-  if (!own_springs.empty()) settings = " Their settings: " + join(own_springs.front().spec.differences, " ");
-  return fmt::format(
-      "Contacts, collisions and single forces depend on the stiffness of the springs. Where a system has two "
-      "velocities with that of the source, they are taken from these runs alone ({}). Elsewhere the springs are "
-      "softer: contacts last longer, with the root of mass over stiffness, and fewer collisions are counted.{}",
-      keys.empty() ? "none yet" : fmt::format("profiles {}: {}", join(profiles, " and "), join(keys, ", ")), settings);
+  if (!own_springs.empty())
+    settings = fmt::format(" (profile {}: {}). Their settings: {}", own_springs.front().spec.profile,
+                           fmt::join(keys, ", "), join(own_springs.front().spec.differences, " "));
+  return "Contacts, collisions and single forces depend on the stiffness of the springs: with softer ones contacts "
+         "last "
+         "longer, with the root of mass over stiffness, and fewer collisions are counted. They are taken from runs "
+         "with "
+         "the springs of the source" +
+         (settings.empty() ? std::string(": none yet.") : settings);
 }
 
 std::vector<MeasuredPoint> measured_points(const Measurements& measurements, std::string_view quantity,

@@ -52,7 +52,6 @@ Work put_together() {
   work.reference = &peng_2014();
   work.figures = figures();
   work.shown_beside = "full";
-  work.with_scene_stiffness = {"paper-steps"};
   work.unchanged = {{"packed", default_reading}};
   work.read_by_figures = {"drag-law",    "causes",    "lattice",    "paper-steps", "packed",
                           "defluidised", "screening", "candidates", "literal"};

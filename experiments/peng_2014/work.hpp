@@ -20,8 +20,8 @@ Profile load_profile(const std::string& name);
 /// What its default scene is called as a reading (readings.toml).
 inline constexpr const char* default_reading = "kt-0.01_by-gradient_own-spread_springs-1e4";
 
-/// The runs with the paper's springs (profiles full and paper-steps) in `out`/runs or committed, for the
-/// figures of contacts and single forces.
+/// The runs with the paper's springs (profile full) in `out`/runs or committed, for the figures of contacts and
+/// single forces.
 std::vector<FinishedRun> runs_with_own_springs(const std::filesystem::path& out);
 
 }  // namespace slfb

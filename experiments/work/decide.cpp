@@ -24,14 +24,8 @@ bool undecided_by_runs(const Evaluation& evaluation) {
 /// System, velocity and variant: what the run answers.
 std::string answered_by(const RunSpec& spec) { return run_key(spec.system, spec.superficial_velocity, spec.variant); }
 
-/// The specifications that numbers of a quantity are taken from.
-std::vector<RunSpec> runs_for(const Work& work, const Profile& shown, const MeasureKey& measure) {
-  std::vector<RunSpec> stiff;
-  if (depends_on_contact_stiffness(work.measuring, measure.quantity))
-    for (const std::string& profile : work.with_scene_stiffness)
-      for (RunSpec& spec : load_profile(work, profile).runs)
-        if (spec.system == measure.subject) stiff.push_back(std::move(spec));
-  if (!stiff.empty()) return stiff;
+/// The specifications that numbers are taken from.
+std::vector<RunSpec> runs_for(const Work& work, const Profile& shown) {
   // Where several profiles have a run of a key, the one that is shown beside the others is made once more.
   std::vector<RunSpec> runs = shown.runs;
   std::stable_partition(runs.begin(), runs.end(),
@@ -58,7 +52,7 @@ class Planner {
     return judgement_->evaluations;
   }
 
-  NextStep next_step(const Evaluation& evaluation, const MoreRuns& more) const {
+  NextStep next_step(const Evaluation& evaluation) const {
     NextStep step;
     const std::vector<RunSpec> behind = runs_of(evaluation.claim);
     if (behind.empty()) {
@@ -75,14 +69,14 @@ class Planner {
       step.none = "its runs exist and have no such number, or none is near its voidage";
       return step;
     } else {
-      for (const RunSpec& spec : behind) add_again(spec, evaluation, more, step);
+      for (const RunSpec& spec : behind) add_again(spec, evaluation, step);
     }
     for (const RunSpec& spec : step.specs) step.core_seconds += cost_of(spec);
     if (evaluation.samples_needed) {
       step.core_seconds_to_decide = 0.0;
       for (const RunSpec& spec : behind)
         *step.core_seconds_to_decide +=
-            cost_of(spec) * std::max(1.0, std::ceil(present(spec, more) * (*evaluation.samples_needed - 1.0)));
+            cost_of(spec) * std::max(1.0, std::ceil(present(spec) * (*evaluation.samples_needed - 1.0)));
     }
     return step;
   }
@@ -101,8 +95,7 @@ class Planner {
     for (const auto& measures : {claim.measures, claim.other_measures})
       for (const MeasureKey& measure : measures) {
         if (!claim.needs_run(measure)) continue;
-        for (RunSpec& spec :
-             runs_behind(measure, runs_for(work_, judgement_->shown, measure), work_, judgement_->measurements))
+        for (RunSpec& spec : runs_behind(measure, runs_for(work_, judgement_->shown), work_, judgement_->measurements))
           if (keys.insert(spec.profile + answered_by(spec)).second) behind.push_back(std::move(spec));
       }
     return behind;
@@ -113,23 +106,22 @@ class Planner {
            (!spec.published.empty() && std::filesystem::exists(published_file(spec)));
   }
 
-  /// How many runs there are of what a run answers, in its profile.
-  static double present(const RunSpec& spec, const MoreRuns& more) {
-    return 1.0 + static_cast<double>(std::ranges::count_if(more.runs, [&](const MoreRun& run) {
-             return run.profile == spec.profile &&
-                    run_key(run.system, run.superficial_velocity, run.variant) == answered_by(spec);
-           }));
+  /// How many beds there are of what a run answers, in its profile and beyond it.
+  [[nodiscard]] double present(const RunSpec& spec) const {
+    return static_cast<double>(std::ranges::count_if(judgement_->shown.runs, [&](const RunSpec& other) {
+      return other.profile == spec.profile && answered_by(other) == answered_by(spec);
+    }));
   }
 
   /// As many runs once more as are needed, at most as many as there are.
-  static void add_again(const RunSpec& spec, const Evaluation& evaluation, const MoreRuns& more, NextStep& step) {
-    const double there = present(spec, more);
+  void add_again(const RunSpec& spec, const Evaluation& evaluation, NextStep& step) const {
+    const double there = present(spec);
     const double needed = evaluation.samples_needed ? std::ceil(there * (*evaluation.samples_needed - 1.0)) : 1.0;
     std::uint64_t seed = load_run_scene(spec).seed;
-    for (const MoreRun& run : more.runs)
-      if (run.profile == spec.profile && run.system == spec.system) seed = std::max(seed, run.seed);
+    for (const RunSpec& other : judgement_->shown.runs)
+      if (other.profile == spec.profile && other.system == spec.system) seed = std::max(seed, other.seed.value_or(0));
     MoreRun again{spec.profile, spec.system, spec.superficial_velocity, spec.variant, seed, {}};
-    if (evaluation.lack == Lack::steadiness) again.overrides = longer(spec, more);
+    if (evaluation.lack == Lack::steadiness) again.overrides = longer(spec);
     for (double k = 0.0; k < std::clamp(needed, 1.0, there); ++k) {
       ++again.seed;
       step.again.push_back(again);
@@ -138,16 +130,14 @@ class Planner {
   }
 
   /// Twice the longest fluidisation so far.
-  static Overrides longer(const RunSpec& spec, const MoreRuns& more) {
+  [[nodiscard]] Overrides longer(const RunSpec& spec) const {
     const Scene scene = load_run_scene(spec);
     const int stage = fluidise_stage(scene);
     if (stage < 0) return {};
     double longest = scene.stages[static_cast<std::size_t>(stage)].duration;
-    for (const MoreRun& run : more.runs)
-      if (run.profile == spec.profile &&
-          run_key(run.system, run.superficial_velocity, run.variant) == answered_by(spec))
-        longest =
-            std::max(longest, load_run_scene(once_more(spec, run)).stages[static_cast<std::size_t>(stage)].duration);
+    for (const RunSpec& other : judgement_->shown.runs)
+      if (other.profile == spec.profile && answered_by(other) == answered_by(spec))
+        longest = std::max(longest, load_run_scene(other).stages[static_cast<std::size_t>(stage)].duration);
     return {fmt::format("stage[{}].duration={:g} s", stage, 2.0 * longest)};
   }
 
@@ -235,7 +225,7 @@ DecideOutcome decide(const DecideWorld& world, MoreRuns more, double budget) {
     std::size_t cheapest = outcome.evaluations.size();
     for (std::size_t k = 0; k < outcome.evaluations.size(); ++k) {
       if (!undecided_by_runs(outcome.evaluations[k])) continue;
-      NextStep& step = outcome.next[k] = world.next_step(outcome.evaluations[k], outcome.more);
+      NextStep& step = outcome.next[k] = world.next_step(outcome.evaluations[k]);
       if (!step.none.empty() || step.specs.empty()) continue;
       if (outcome.core_seconds + step.core_seconds > budget) continue;
       if (cheapest == outcome.evaluations.size() || expected_cost(step) < expected_cost(outcome.next[cheapest]))
@@ -267,9 +257,7 @@ DecideWorld world_of(const Work& work, const Profile& profile, const std::vector
   const auto planner = std::make_shared<Planner>(work, profile, out);
   DecideWorld world;
   world.judge = [planner, claims](const MoreRuns& more) { return planner->judge(claims, more); };
-  world.next_step = [planner](const Evaluation& evaluation, const MoreRuns& more) {
-    return planner->next_step(evaluation, more);
-  };
+  world.next_step = [planner](const Evaluation& evaluation) { return planner->next_step(evaluation); };
   world.rests_on = [planner](const Claim& claim, const std::vector<RunSpec>& specs) {
     return planner->rests_on(claim, specs);
   };

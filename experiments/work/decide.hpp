@@ -29,7 +29,7 @@ struct NextStep {
 /// What the loop needs of the world, so that it can be tested without one.
 struct DecideWorld {
   std::function<std::vector<Evaluation>(const MoreRuns&)> judge;
-  std::function<NextStep(const Evaluation&, const MoreRuns&)> next_step;
+  std::function<NextStep(const Evaluation&)> next_step;  ///< by what the judgement saw
   /// Simulates; returns the CPU time spent [s], or nothing when it was interrupted.
   std::function<std::optional<double>(const std::vector<RunSpec>&)> simulate;
   /// Whether a claim rests on any of these runs.

@@ -17,7 +17,7 @@ Measurements measure_all(const Work& work, const std::vector<FinishedRun>& runs,
     }
   }
   Measurements measurements = measure_runs(soft, work.measuring);
-  if (!work.with_scene_stiffness.empty()) {
+  if (!work.shown_beside.empty()) {
     const std::vector<FinishedRun> stiff = runs_with_scene_stiffness(work, out);
     // What does not depend on the springs is the same in both: more beds, more drops.
     std::vector<FinishedRun> all = soft;

@@ -78,16 +78,19 @@ RunSpec once_more(RunSpec base, const MoreRun& more) {
 }
 
 Profile with_more_runs(Profile profile, const MoreRuns& more) {
-  const std::size_t own = profile.runs.size();
-  for (const MoreRun& run : more.runs)
-    for (std::size_t k = 0; k < own; ++k) {
-      const RunSpec& base = profile.runs[k];
-      if (base.seed || base.profile != run.profile || base.system != run.system || base.variant != run.variant ||
-          velocity_text(base.superficial_velocity) != velocity_text(run.superficial_velocity))
-        continue;
-      profile.runs.push_back(once_more(base, run));
-      break;
-    }
+  const std::vector<RunSpec> own = profile.runs;
+  const auto repeats = [](const RunSpec& spec, const MoreRun& run) {
+    return spec.profile == run.profile && spec.system == run.system && spec.variant == run.variant &&
+           velocity_text(spec.superficial_velocity) == velocity_text(run.superficial_velocity);
+  };
+  for (const MoreRun& run : more.runs) {
+    // A profile may have got this bed since: it stays one bed.
+    if (run.overrides.empty() &&
+        std::ranges::any_of(own, [&](const RunSpec& spec) { return repeats(spec, run) && spec.seed == run.seed; }))
+      continue;
+    const auto base = std::ranges::find_if(own, [&](const RunSpec& spec) { return !spec.seed && repeats(spec, run); });
+    if (base != own.end()) profile.runs.push_back(once_more(*base, run));
+  }
   return profile;
 }
 

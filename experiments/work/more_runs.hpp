@@ -38,7 +38,7 @@ void save_more_runs(const MoreRuns& more, const std::filesystem::path& file);
 /// The specification of a run once more. \param base that of the profile
 RunSpec once_more(RunSpec base, const MoreRun& more);
 
-/// A profile with the runs that were made beyond it.
+/// A profile with the runs that were made beyond it; a bed that it has itself is not taken twice.
 Profile with_more_runs(Profile profile, const MoreRuns& more);
 
 }  // namespace slfb

@@ -221,13 +221,10 @@ Profile with_shown_runs(const Work& work, Profile profile) {
 
 std::vector<FinishedRun> runs_with_scene_stiffness(const Work& work, const std::filesystem::path& out) {
   std::vector<FinishedRun> runs;
-  const MoreRuns more = load_more_runs(work, out);
-  std::vector<std::string> profiles = work.with_scene_stiffness;
-  if (!work.shown_beside.empty()) profiles.push_back(work.shown_beside);
-  for (const std::string& profile : profiles)
-    for (FinishedRun& run : finished_runs(with_more_runs(load_profile(work, profile), more), out))
-      if (!run.stale && run.scene.contact.stiffness == load_scene(run.spec.scene).contact.stiffness)
-        runs.push_back(std::move(run));
+  const Profile profile = with_more_runs(load_profile(work, work.shown_beside), load_more_runs(work, out));
+  for (FinishedRun& run : finished_runs(profile, out))
+    if (!run.stale && run.scene.contact.stiffness == load_scene(run.spec.scene).contact.stiffness)
+      runs.push_back(std::move(run));
   take_out_other_models(runs, work.measuring);
   return runs;
 }

@@ -25,7 +25,7 @@ readings::Choices load_choices(const Work& work);
 /// own runs are simulated with it.
 Profile with_shown_runs(const Work& work, Profile profile);
 
-/// Finished runs of Work::with_scene_stiffness and Work::shown_beside with the contact stiffness of their scene file;
+/// Finished runs of Work::shown_beside with the contact stiffness of their scene file, which other profiles may soften;
 /// those of an older numerics version are left out.
 std::vector<FinishedRun> runs_with_scene_stiffness(const Work& work, const std::filesystem::path& out);
 

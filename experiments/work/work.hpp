@@ -51,8 +51,6 @@ struct Work {
 
   std::string default_profile = "quick";
   std::string shown_beside = {};  ///< profile whose runs figures and claims use beside those of any other
-  /// Profiles beside `shown_beside` in which runs keep the contact stiffness of the scene where others soften it.
-  std::vector<std::string> with_scene_stiffness = {};
   /// Variants of profiles that are the unchanged scene under another name: more samples of its numbers, where the
   /// models agree (take_out_other_models).
   std::vector<ProfileVariant> unchanged = {};

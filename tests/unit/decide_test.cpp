@@ -56,7 +56,7 @@ struct MadeUpWorld {
       }
       return evaluate(claims, measurements, more.looks);
     };
-    world.next_step = [this](const Evaluation& evaluation, const MoreRuns&) {
+    world.next_step = [this](const Evaluation& evaluation) {
       const std::string system = *evaluation.claim.systems.begin();
       NextStep step;
       // As many once more as there are.
@@ -198,6 +198,19 @@ TEST(MoreRunsFile, ComesBackAndAddsToItsProfile) {
   ASSERT_EQ(profile.runs.size(), 3U);
   EXPECT_EQ(profile.runs[2].seed, std::optional<std::uint64_t>(2));
   EXPECT_EQ(profile.runs[2].overrides, (Overrides{"a=1", "stage[1].duration=2 s", "seed=2"}));
+}
+
+// A bed that was made to decide a claim and that the profile has got since is one bed: counted twice it would make the
+// interval too narrow.
+TEST(MoreRunsFile, ABedOfTheProfileIsNotTakenTwice) {
+  RunSpec replicate{"sand", 0.07, "", "bed.toml", {"seed=2"}, "quick"};
+  replicate.seed = 2;
+  const Profile profile{"quick", {}, {{"sand", 0.07, "", "bed.toml", {}, "quick"}, replicate}};
+  MoreRuns more;
+  more.runs = {{"quick", "sand", 0.07, "", 2, {}}, {"quick", "sand", 0.07, "", 3, {}}};
+  const Profile both = with_more_runs(profile, more);
+  ASSERT_EQ(both.runs.size(), 3U);
+  EXPECT_EQ(both.runs[2].seed, std::optional<std::uint64_t>(3));
 }
 
 }  // namespace
