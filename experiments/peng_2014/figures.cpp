@@ -42,6 +42,7 @@ const std::vector<Figure>& figures() {
                             most_likely::figure(),
                             from_66_hours::figure(),
                             paper_steps::figure(),
+                            grid_convergence::figure(),
                             planned_figures::figure()};
     for (Figure& figure : numerics_figures()) all.push_back(std::move(figure));
     return all;

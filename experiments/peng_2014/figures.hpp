@@ -143,6 +143,10 @@ Figure figure();
 namespace from_66_hours {
 Figure figure();
 }
+/// Discretisation error: observed order and grid convergence index over cells and steps.
+namespace grid_convergence {
+Figure figure();
+}
 /// For each figure the cheapest choice of tier, stiffness and steps that answers it, beside those of paper and profile.
 namespace planned_figures {
 Figure figure();

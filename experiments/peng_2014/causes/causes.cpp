@@ -38,7 +38,10 @@ constexpr std::array all_changes{
     Change{Base::lattice, "causes", "gibilaro-1985", "Gibilaro's drag"},
 };
 
-/// The runs of one variant under the keys of the unchanged scene.
+}  // namespace
+
+std::span<const Change> changes() { return all_changes; }
+
 std::vector<FinishedRun> runs_of(const Profile& profile, const std::string& variant,
                                  const std::filesystem::path& results) {
   std::vector<FinishedRun> runs = finished_runs(profile, results);
@@ -48,10 +51,6 @@ std::vector<FinishedRun> runs_of(const Profile& profile, const std::string& vari
   for (FinishedRun& run : runs) run.spec.variant.clear();
   return runs;
 }
-
-}  // namespace
-
-std::span<const Change> changes() { return all_changes; }
 
 Measurements measure(const Change& change, const std::filesystem::path& results) {
   return measure_runs(runs_of(load_profile(change.profile), change.variant, results), peng_2014_work().measuring);

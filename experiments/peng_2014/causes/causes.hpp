@@ -8,6 +8,7 @@
 
 #include "experiments/claims/claims.hpp"
 #include "experiments/quantities/measurement.hpp"
+#include "experiments/runs/campaign.hpp"
 
 /// What one change of the scene does to the bed of 5 mm glass, and which claims it would bring inside the paper's band.
 namespace slfb::single_changes {
@@ -28,6 +29,10 @@ struct Change {
 /// Those of the default scene first: contacts, start, values of the liquid, drag law. Then those of the other:
 /// numerics, liquid, forces, contacts, drag law.
 std::span<const Change> changes();
+
+/// The current runs of one variant of the system, under the keys of the unchanged scene (without the variant).
+std::vector<FinishedRun> runs_of(const Profile& profile, const std::string& variant,
+                                 const std::filesystem::path& results);
 
 /// Measurements of the runs with this change, and of the unchanged ones, under the same keys (without a variant). Empty
 /// where nothing is simulated. `results`: folder of runs/.

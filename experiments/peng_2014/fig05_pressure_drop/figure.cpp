@@ -6,6 +6,7 @@
 #include "experiments/figures/figure_folder.hpp"
 #include "experiments/figures/figure_support.hpp"
 #include "experiments/peng_2014/figures.hpp"
+#include "experiments/peng_2014/grid_convergence/run_sequences.hpp"
 #include "experiments/peng_2014/paper_conditions.hpp"
 #include "experiments/peng_2014/reference.hpp"
 #include "experiments/peng_2014/work.hpp"
@@ -68,6 +69,7 @@ FigureOutput draw(const FigureContext& context) {
   const Peng2014& printed = peng_2014();
   FigureOutput output{
       "fig05", {}, folder.caption({{"weight", fmt::format("{:.1f}", bed_weight())}}), run_notes(context, keys)};
+  grid_convergence::add_note({grid_convergence::pressure_drop}, context, output);
   PlotValues values;
   values.number("weight", bed_weight());
 

@@ -7,6 +7,7 @@
 #include "experiments/figures/figure_folder.hpp"
 #include "experiments/figures/figure_support.hpp"
 #include "experiments/peng_2014/figures.hpp"
+#include "experiments/peng_2014/grid_convergence/run_sequences.hpp"
 #include "experiments/peng_2014/reference.hpp"
 #include "experiments/peng_2014/work.hpp"
 #include "experiments/quantities/analysis.hpp"
@@ -61,6 +62,7 @@ FigureOutput draw(const FigureContext& context) {
                       {},
                       folder.caption({{"bottom", fmt::format("{:.1f}", window_bottom)}, {"top", top}}),
                       run_notes(context, keys)};
+  grid_convergence::add_note({grid_convergence::velocity}, context, output);
 
   std::set<double> velocities;
   for (const auto& spec : context.profile.runs)

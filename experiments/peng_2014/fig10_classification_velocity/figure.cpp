@@ -8,6 +8,7 @@
 #include "experiments/figures/figure_folder.hpp"
 #include "experiments/figures/figure_support.hpp"
 #include "experiments/peng_2014/figures.hpp"
+#include "experiments/peng_2014/grid_convergence/run_sequences.hpp"
 #include "experiments/peng_2014/paper_conditions.hpp"
 #include "experiments/peng_2014/reference.hpp"
 #include "experiments/peng_2014/work.hpp"
@@ -38,6 +39,7 @@ double collision_free_velocity(const Law& law, double superficial_velocity) {
 FigureOutput draw(const FigureContext& context) {
   const auto keys = needs(context.profile);
   FigureOutput output{"fig10", {}, folder.caption(), run_notes(context, keys)};
+  grid_convergence::add_note({grid_convergence::velocity}, context, output);
 
   DataTable paper{"fig10_paper", {"superficial velocity [m/s]", "classification velocity [m/s]", "R^2 [-]"}, {}};
   for (const auto& row : peng_2014().table2())

@@ -7,6 +7,7 @@
 #include "experiments/figures/figure_folder.hpp"
 #include "experiments/figures/figure_support.hpp"
 #include "experiments/peng_2014/figures.hpp"
+#include "experiments/peng_2014/grid_convergence/run_sequences.hpp"
 #include "experiments/peng_2014/reference.hpp"
 #include "experiments/runs/measure.hpp"
 
@@ -29,6 +30,7 @@ FigureOutput draw(const FigureContext& context) {
   const auto keys = needs(context.profile);
   const auto& table2 = peng_2014().table2();
   FigureOutput output{"fig11", {}, folder.caption(), run_notes(context, keys)};
+  grid_convergence::add_note({grid_convergence::velocity, grid_convergence::voidage}, context, output);
 
   DataTable laws{"fig11_laws", {"superficial velocity [m/s]", "classification velocity of Table 2 [m/s]"}, {}};
   for (const char* model : models) laws.columns.push_back(fmt::format("{} [m/s]", model));

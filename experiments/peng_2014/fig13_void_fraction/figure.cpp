@@ -6,6 +6,7 @@
 #include "experiments/figures/figure_folder.hpp"
 #include "experiments/figures/figure_support.hpp"
 #include "experiments/peng_2014/figures.hpp"
+#include "experiments/peng_2014/grid_convergence/run_sequences.hpp"
 #include "experiments/peng_2014/reference.hpp"
 #include "experiments/runs/measure.hpp"
 
@@ -40,6 +41,7 @@ FigureOutput draw(const FigureContext& context) {
   const auto keys = needs(context.profile);
   const auto& printed = peng_2014().figure13();
   FigureOutput output{"fig13", {}, folder.caption(), run_notes(context, keys)};
+  grid_convergence::add_note({grid_convergence::voidage}, context, output);
 
   DataTable means{"fig13_means",
                   {"superficial velocity [m/s]", "voidage of the paper [-]", "simulated voidage [-]",

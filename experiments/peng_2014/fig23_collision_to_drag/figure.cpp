@@ -4,6 +4,7 @@
 #include "experiments/figures/figure_folder.hpp"
 #include "experiments/figures/figure_support.hpp"
 #include "experiments/peng_2014/figures.hpp"
+#include "experiments/peng_2014/grid_convergence/run_sequences.hpp"
 #include "experiments/peng_2014/paper_conditions.hpp"
 #include "experiments/peng_2014/reference.hpp"
 #include "experiments/runs/measure.hpp"
@@ -24,6 +25,7 @@ FigureOutput draw(const FigureContext& context) {
   const double largest = printed.value("collision_drag_ratio");
   FigureOutput output{
       "fig23", {}, folder.caption({{"largest", fmt::format("{:g}", largest)}}), run_notes(context, keys)};
+  grid_convergence::add_note({grid_convergence::force_ratio, grid_convergence::voidage}, context, output);
 
   const auto equation_40 = [](double voidage) {
     return collision::Peng2014{}(paper::steel_in_glass(0.0, voidage), 0.0);

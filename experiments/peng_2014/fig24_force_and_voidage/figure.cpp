@@ -4,6 +4,7 @@
 #include "experiments/figures/figure_folder.hpp"
 #include "experiments/figures/figure_support.hpp"
 #include "experiments/peng_2014/figures.hpp"
+#include "experiments/peng_2014/grid_convergence/run_sequences.hpp"
 #include "experiments/peng_2014/paper_conditions.hpp"
 #include "experiments/peng_2014/reference.hpp"
 
@@ -20,6 +21,7 @@ std::vector<std::string> needs(const Profile& profile) { return select_run_keys(
 FigureOutput draw(const FigureContext& context) {
   const auto keys = needs(context.profile);
   FigureOutput output{"fig24", {}, folder.caption(), run_notes(context, keys)};
+  grid_convergence::add_note({grid_convergence::force_ratio, grid_convergence::voidage}, context, output);
   const double most = peng_2014().value("equation_40_most");
   const double all = peng_2014().value("equation_40_all");
   DataTable correlation{

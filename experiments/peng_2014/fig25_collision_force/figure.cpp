@@ -6,6 +6,7 @@
 #include "experiments/figures/figure_folder.hpp"
 #include "experiments/figures/figure_support.hpp"
 #include "experiments/peng_2014/figures.hpp"
+#include "experiments/peng_2014/grid_convergence/run_sequences.hpp"
 #include "experiments/peng_2014/paper_conditions.hpp"
 #include "experiments/peng_2014/reference.hpp"
 
@@ -55,6 +56,7 @@ DataTable van_der_wielen_of_table_2() {
 FigureOutput draw(const FigureContext& context) {
   const auto keys = needs(context.profile);
   FigureOutput output{"fig25", {}, folder.caption(), run_notes(context, keys)};
+  grid_convergence::add_note({grid_convergence::force_ratio, grid_convergence::voidage}, context, output);
   output.data.push_back(write_csv(collision_force_laws(), context.out));
   output.data.push_back(write_csv(van_der_wielen_of_table_2(), context.out));
 

@@ -8,6 +8,7 @@
 #include "experiments/figures/figure_support.hpp"
 #include "experiments/peng_2014/bed_systems.hpp"
 #include "experiments/peng_2014/figures.hpp"
+#include "experiments/peng_2014/grid_convergence/run_sequences.hpp"
 #include "experiments/peng_2014/paper_conditions.hpp"
 
 namespace slfb::fig26_force_parity {
@@ -42,6 +43,7 @@ DataTable parity(const FigureContext& context, const BedSystem& system) {
 FigureOutput draw(const FigureContext& context) {
   const auto keys = needs(context.profile);
   FigureOutput output{"fig26", {}, "", run_notes(context, keys)};
+  grid_convergence::add_note({grid_convergence::force_ratio, grid_convergence::voidage}, context, output);
   std::vector<Series> simulated;
   double sum = 0.0, squares = 0.0;
   int points = 0, within_10 = 0, within_20 = 0;

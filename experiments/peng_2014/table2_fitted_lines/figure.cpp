@@ -7,6 +7,7 @@
 #include "experiments/figures/figure_folder.hpp"
 #include "experiments/figures/figure_support.hpp"
 #include "experiments/peng_2014/figures.hpp"
+#include "experiments/peng_2014/grid_convergence/run_sequences.hpp"
 #include "experiments/peng_2014/reference.hpp"
 #include "experiments/runs/measure.hpp"
 
@@ -38,6 +39,7 @@ std::string with_interval(const Measurement& measured, int digits) {
 FigureOutput draw(const FigureContext& context) {
   const auto keys = needs(context.profile);
   FigureOutput output{"table2", {}, folder.caption(), run_notes(context, keys)};
+  grid_convergence::add_note({grid_convergence::velocity}, context, output);
   DataTable table{"table2_lines",
                   {"superficial velocity [m/s]", "paper V_2 [m/s]", "V_2 [m/s]",
                    "half width of its 95 % interval [m/s]", "paper intercept [m]", "intercept [m]",
