@@ -23,7 +23,7 @@ help:
 	@echo "make layout   whether the code is laid out"
 	@echo "make lint     layout and static checks (ROOMS)"
 	@echo "make sanitize the fast tests with the address and undefined-behaviour sanitizers"
-	@echo "make parts    a part of the builds debug and tsan"
+	@echo "make parts    a part of the builds debug and tsan: laws, threads of the solver"
 	@echo "make debug    all tests without optimisation; asan, tsan: with the sanitizers"
 
 figures: program
@@ -68,16 +68,18 @@ install:
 # code, so warnings are no errors here.
 sanitize: install
 	cmake --preset asan
-	cmake --build --preset asan --parallel $(JOBS) --target solver_tests laws_tests
-	ctest --preset asan --parallel $(JOBS) -R '^(solver|laws)\.'
+	cmake --build --preset asan --parallel $(JOBS) --target solver_tests threads_tests laws_tests
+	ctest --preset asan --parallel $(JOBS) -R '^(solver|threads|laws)\.'
 
-# A part of the other builds: what they find in the laws, and whether both compilers take the solver.
+# A part of the other builds: the laws without optimisation, and the solver's threads with the thread sanitizer.
 parts:
 	@.ci/install build tools
-	for preset in debug tsan; do \
-	  cmake --preset $$preset && cmake --build --preset $$preset --parallel $(JOBS) --target slfb_run laws_tests && \
-	  ctest --preset $$preset --parallel $(JOBS) -R '^laws\.' || exit 1; \
-	done
+	cmake --preset debug
+	cmake --build --preset debug --parallel $(JOBS) --target laws_tests
+	ctest --preset debug --parallel $(JOBS) -R '^laws\.'
+	cmake --preset tsan
+	cmake --build --preset tsan --parallel $(JOBS) --target threads_tests
+	ctest --preset tsan -R '^threads\.'
 
 debug asan tsan:
 	@.ci/install build $(if $(filter tsan,$@),tools)

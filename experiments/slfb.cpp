@@ -9,6 +9,7 @@
 #include <cstdlib>
 #include <exception>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "experiments/commands/commands.hpp"
@@ -100,6 +101,17 @@ void set_up_messages() {
   spdlog::set_level(spdlog::level::warn);
 }
 
+/// A message as a terminal may show it: texts of broken files can hold any byte, also those that steer a terminal.
+std::string printable(std::string_view text) {
+  std::string shown;
+  for (const char letter : text) {
+    const auto code = static_cast<unsigned char>(letter);
+    const bool steers = (code < 0x20 && letter != '\n' && letter != '\t') || code == 0x7f;
+    shown += steers ? fmt::format("\\x{:02x}", code) : std::string(1, letter);
+  }
+  return shown;
+}
+
 }  // namespace
 
 int main(int argc, char** argv) try {
@@ -161,6 +173,6 @@ int main(int argc, char** argv) try {
     return app.exit(error) == 0 ? 0 : usage_status;
   }
 } catch (const std::exception& error) {
-  fmt::print(stderr, "slfb: error: {}\n", error.what());
+  fmt::print(stderr, "slfb: error: {}\n", printable(error.what()));
   return failure_status;
 }

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <set>
 #include <stdexcept>
 
 #include "experiments/runs/measure.hpp"
@@ -44,12 +45,19 @@ std::optional<std::int64_t> whole_in(TomlTable& table, const std::string& key) {
   return static_cast<std::int64_t>(value);
 }
 
+/// A file of the folder that a key names.
+std::filesystem::path existing_file(const TomlTable& table, const std::string& key, const std::filesystem::path& folder,
+                                    const std::string& name) {
+  std::error_code unreadable;
+  if (!std::filesystem::is_regular_file(folder / name, unreadable))
+    throw table.problem(key, fmt::format("there is no file {}", (folder / name).string()));
+  return folder / name;
+}
+
 std::filesystem::path file_in(TomlTable& table, const std::string& key, const std::filesystem::path& folder) {
   const std::string name = table.text(key, "");
   if (name.empty()) return {};
-  if (!std::filesystem::is_regular_file(folder / name))
-    throw table.problem(key, fmt::format("there is no file {}", (folder / name).string()));
-  return folder / name;
+  return existing_file(table, key, folder, name);
 }
 
 RecordsOfOthers read_table(TomlTable& table, const std::filesystem::path& folder, const MeasuredSystems& systems) {
@@ -63,11 +71,8 @@ RecordsOfOthers read_table(TomlTable& table, const std::filesystem::path& folder
   records.bed = file_in(table, "bed", folder);
   records.positions = file_in(table, "positions", folder);
   records.settled = file_in(table, "settled", folder);
-  for (const std::string& name : table.text_or_texts("drops")) {
-    if (!std::filesystem::is_regular_file(folder / name))
-      throw table.problem("drops", fmt::format("there is no file {}", (folder / name).string()));
-    records.drops.push_back(folder / name);
-  }
+  for (const std::string& name : table.text_or_texts("drops"))
+    records.drops.push_back(existing_file(table, "drops", folder, name));
   if (records.bed.empty() && records.positions.empty() && records.settled.empty() && records.drops.empty())
     throw table.problem("system", "has no file; needed is one or more of bed, positions, settled, drops");
   records.dump.time_step = quantity_in(table, "time_step", units::time, records.dump.time_step);
@@ -93,6 +98,7 @@ Measurements measure_records(TomlTable& table, const std::filesystem::path& fold
                              const MeasuredSystems& systems) {
   std::vector<FinishedRun> runs;
   std::map<std::string, std::string> scenes;  // by what they answer
+  std::set<std::filesystem::path> seen;
   for (TomlTable& one : table.tables("series")) {
     RecordsOfOthers records = read_table(one, folder, systems);
     const std::string key = run_key(records.spec), scene = canonical_toml(records.scene);
@@ -101,6 +107,11 @@ Measurements measure_records(TomlTable& table, const std::filesystem::path& fold
                         fmt::format("its scene is another one than that of a [[series]] of {} before: these are no "
                                     "samples of one number",
                                     key));
+    std::vector<std::filesystem::path> files = records.drops;
+    files.insert(files.end(), {records.bed, records.positions, records.settled});
+    for (const std::filesystem::path& path : files)
+      if (!path.empty() && !seen.insert(std::filesystem::canonical(path)).second)
+        throw one.problem("system", fmt::format("{} is named twice: it would count as two samples", path.string()));
     records.name = fmt::format("{}, [[series]] {}", file, runs.size() + 1);
     runs.push_back(reduce_records(records, runs.size() + 1, systems.rules));
   }

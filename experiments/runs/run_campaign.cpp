@@ -58,6 +58,7 @@ Ending run_task(const Task& task, std::size_t number, const CampaignOptions& opt
     return Ending::failed;
   };
   try {
+    make_output_folder(directory.parent_path());
     make_output_folder(directory);
     const RunLock lock(directory);
     if (std::filesystem::exists(result_file(options.out, task.hash))) {  // another process was faster

@@ -225,6 +225,15 @@ class Reduction {
     const std::array<std::string_view, 2> needed{"time", "z"};
     const SeriesTable table = read_series(file, columns, needed);
     require_rising(table, "time");
+    const auto fail = [&](std::size_t row, const std::string& problem) {
+      return std::runtime_error(fmt::format("{}:{}: {}", table.file, table.lines[row], problem));
+    };
+    if (table.lines.size() < 2) throw fail(0, "is the only line of numbers; a fall has two or more");
+    // A marker on a sphere lies up to a radius off its centre.
+    const double beyond = 0.5 * dropped_species(records_).diameter, height = scene_.geometry.height;
+    for (std::size_t row = 0; row < table.lines.size(); ++row)
+      if (const double z = table.at("z")[row]; !(z >= -beyond && z <= height + beyond))
+        throw fail(row, fmt::format("column z: {:g} m lies outside the column of its scene, 0 to {:g} m", z, height));
     DropSeries drop;
     drop.time = table.at("time");
     drop.z = table.at("z");

@@ -32,6 +32,9 @@ std::vector<std::string_view> cells_of(std::string_view line) {
   }
 }
 
+/// A cell as a message shows it: a file that is no table may have all of it in one.
+std::string_view shown(std::string_view cell) { return cell.substr(0, 60); }
+
 /// A heading "NAME [UNIT]", or "NAME".
 struct Heading {
   std::string_view name, unit;
@@ -61,13 +64,17 @@ class Reader {
 
   void read_headings(std::string_view line, std::size_t number) {
     for (const std::string_view cell : cells_of(line)) {
+      if (cell.find_first_of(";\t") != std::string_view::npos)
+        throw problem(number, fmt::format("\"{}\" is divided by another sign than the comma; needed are commas between "
+                                          "columns and points in numbers",
+                                          shown(cell)));
       const Heading heading = heading_of(cell);
       const auto found = std::ranges::find(known_, heading.name, &SeriesColumn::name);
       if (found == known_.end()) {
         std::vector<std::string> allowed;
         for (const SeriesColumn& column : known_) allowed.push_back(name_with_unit(column));
         throw problem(number, fmt::format("unknown column \"{}\"; allowed are {}, each with a unit of its own kind",
-                                          heading.name, fmt::join(allowed, ", ")));
+                                          shown(heading.name), fmt::join(allowed, ", ")));
       }
       if (table_.has(found->name)) throw problem(number, fmt::format("column {}: stands there twice", found->name));
       columns_.push_back({&table_.columns[std::string(found->name)], found->name, factor_of(*found, heading, number)});
@@ -82,7 +89,7 @@ class Reader {
       double value = 0.0;
       const auto [rest, error] = std::from_chars(cells[k].data(), cells[k].data() + cells[k].size(), value);
       if (error != std::errc{} || rest != cells[k].data() + cells[k].size() || !std::isfinite(value))
-        throw problem(number, fmt::format("column {}: \"{}\" is no finite number", columns_[k].name, cells[k]));
+        throw problem(number, fmt::format("column {}: \"{}\" is no finite number", columns_[k].name, shown(cells[k])));
       columns_[k].values->push_back(columns_[k].factor * value);
     }
     table_.lines.push_back(number);
@@ -120,7 +127,10 @@ SeriesTable read_series(const std::filesystem::path& file, std::span<const Serie
   SeriesTable table;
   table.file = file.string();
   Reader reader(table, known);
-  std::istringstream text(read_file(file));
+  const std::string whole = read_file(file);
+  if (whole.find('\0') != std::string::npos)
+    throw std::runtime_error(fmt::format("{}: is no text: it holds a byte of value zero", table.file));
+  std::istringstream text(whole);
   std::size_t number = 0;
   for (std::string line; std::getline(text, line);) {
     ++number;

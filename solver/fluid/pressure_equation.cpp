@@ -7,14 +7,10 @@
 #include <cmath>
 #include <span>
 
+#include "solver/fluid/momentum_nodes.hpp"
+
 namespace slfb::fluid {
 namespace {
-
-std::size_t at(int section, int layer, int layers) {
-  return static_cast<std::size_t>(section) * static_cast<std::size_t>(layers) + static_cast<std::size_t>(layer);
-}
-
-std::size_t as_index(int value) { return static_cast<std::size_t>(value); }
 
 /// Lowest and highest layer of each half of a column whose halves meet in `middle`, which is in neither: a walk from
 /// the end to the middle.
@@ -79,8 +75,8 @@ PressureEquation::PressureEquation(const ColumnGrid& grid, bool closed, int thre
 void PressureEquation::update_diagonal(Part& part) {
   const int layers = grid_.layers();
   for (int c = 0; c < grid_.cells(); ++c) {
-    const double* vertical = &coefficient[2][at(c, part.first, layers + 1)];
-    const Eigen::Map<const Eigen::ArrayXd> below(vertical, part.count), above(vertical + 1, part.count);
+    const double* in_column = &coefficient[2][index_of(c, part.first, layers + 1)];
+    const Eigen::Map<const Eigen::ArrayXd> below(in_column, part.count), above(in_column + 1, part.count);
     part.diagonal.col(c) = below + above;
     for (const Link& link : links_[as_index(c)])
       part.diagonal.col(c) +=
@@ -105,9 +101,9 @@ void PressureEquation::update_preconditioner(const ThreadPartition& own) {
       for (int k = first; k < last; ++k) lateral_mean[k] += share * lateral[k];
     }
   for (int c = 0; c < grid_.cells(); ++c) {
-    const double *vertical = &coefficient[2][at(c, 0, layers + 1)], share = 1.0 / grid_.section_area();
+    const double *in_column = &coefficient[2][index_of(c, 0, layers + 1)], share = 1.0 / grid_.section_area();
 #pragma omp simd
-    for (int k = first + 1; k <= last; ++k) vertical_mean[k] += share * vertical[k];
+    for (int k = first + 1; k <= last; ++k) vertical_mean[k] += share * in_column[k];
   }
 #pragma omp barrier
   // The mean of a closed column is free; any stiffness that ties it will do.
@@ -145,17 +141,17 @@ void PressureEquation::multiply(Part& part) {
   if (count == 0) return;
   const Part &below = part_of(part.first - 1), &above = part_of(part.first + count);
   for (int c = 0; c < grid_.cells(); ++c) {
-    const double* vertical = &coefficient[2][at(c, part.first, layers + 1)];
+    const double* in_column = &coefficient[2][index_of(c, part.first, layers + 1)];
     const double *in = &part.direction(0, c), *diagonal = &part.diagonal(0, c);
     double* out = &part.image(0, c);
 #pragma omp simd
     for (int k = 0; k < count; ++k) out[k] = diagonal[k] * in[k];
 #pragma omp simd
-    for (int k = 1; k < count; ++k) out[k] -= vertical[k] * in[k - 1];
+    for (int k = 1; k < count; ++k) out[k] -= in_column[k] * in[k - 1];
 #pragma omp simd
-    for (int k = 0; k < count - 1; ++k) out[k] -= vertical[k + 1] * in[k + 1];
-    if (part.first > 0) out[0] -= vertical[0] * below.direction(below.count - 1, c);
-    if (part.first + count < layers) out[count - 1] -= vertical[count] * above.direction(0, c);
+    for (int k = 0; k < count - 1; ++k) out[k] -= in_column[k + 1] * in[k + 1];
+    if (part.first > 0) out[0] -= in_column[0] * below.direction(below.count - 1, c);
+    if (part.first + count < layers) out[count - 1] -= in_column[count] * above.direction(0, c);
     for (const Link& link : links_[as_index(c)]) {
       const double* lateral = &coefficient[link.axis][link.start] + part.first;
       const double* there = &part.direction(0, link.neighbour);

@@ -33,6 +33,25 @@ void add_rounded_times(const Scene& scene, std::vector<std::string>& remarks) {
   if (in_liquid) look("recording.snapshot_interval", scene.recording.snapshot_interval);
 }
 
+/// Samples that a run is too short for.
+void add_missing_samples(const Scene& scene, std::vector<std::string>& remarks) {
+  double in_liquid = 0.0, longest_fall = 0.0;
+  for (const Stage& stage : scene.stages) {
+    if (stage.kind == StageKind::settle) continue;
+    in_liquid += stage.duration * (stage.kind == StageKind::drop ? stage.repetitions : 1);
+    if (stage.kind == StageKind::drop) longest_fall = std::max(longest_fall, stage.duration);
+  }
+  const auto look = [&](const char* key, double interval, const char* of, double time) {
+    if (time > 0.0 && interval > time)
+      remarks.push_back(
+          fmt::format("{} = {:g} s is longer than {} of {:g} s: nothing is recorded then", key, interval, of, time));
+  };
+  if (std::ranges::any_of(scene.species, [](const Species& species) { return species.count > 0; }))
+    look("recording.bed_interval", scene.recording.bed_interval, "the stages in the liquid", in_liquid);
+  look("recording.drop_interval", scene.recording.drop_interval, "a fall", longest_fall);
+  look("recording.snapshot_interval", scene.recording.snapshot_interval, "the stages in the liquid", in_liquid);
+}
+
 void add_law_range(const Scene& scene, std::vector<std::string>& remarks) {
   if (is_user_law(scene.coupling.drag_law)) return;
   const LawInfo law = find_drag_law(scene.coupling.drag_law).info;
@@ -70,6 +89,7 @@ void add_law_range(const Scene& scene, std::vector<std::string>& remarks) {
 std::vector<std::string> remarks_on(const Scene& scene) {
   std::vector<std::string> remarks;
   add_rounded_times(scene, remarks);
+  add_missing_samples(scene, remarks);
   add_law_range(scene, remarks);
   const bool in_bed = std::ranges::any_of(scene.species, [](const Species& species) { return species.count > 0; });
   if (scene.geometry.inclination > 0.0 && scene.fluid.tier != FluidTier::three_dimensional && in_bed)

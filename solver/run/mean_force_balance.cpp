@@ -5,6 +5,8 @@
 #include <cmath>
 #include <utility>
 
+#include "correlations/materials.hpp"
+
 namespace slfb::simulation {
 
 using coupling::ForceBalance;
@@ -21,9 +23,12 @@ void MeanForceBalance::end_step(const Model& model) {
   const auto contacts = model.engine().mean_vertical_wall_forces();
   const auto& liquid = model.liquid().vertical_forces();
   const double gravity = scene_.geometry.gravity()[2];
-  for (std::size_t i = 0; i < particles.size(); ++i)
+  double mass = 0.0;
+  for (std::size_t i = 0; i < particles.size(); ++i) {
     now.force[ForceBalance::buoyant_weight] +=
         gravity * (particles.mass[i] - scene_.liquid.density * particles.volume(i));
+    mass += particles.mass[i];
+  }
   now.force[ForceBalance::pressure] = liquid.pressure;
   now.force[ForceBalance::bottom] = contacts.bottom;
   now.force[ForceBalance::walls] = contacts.others;
@@ -34,7 +39,10 @@ void MeanForceBalance::end_step(const Model& model) {
       liquid.momentum_rate ? -*liquid.momentum_rate : -(momentum - before) / scene_.fluid.time_step;
   for (std::size_t t = 0; t < ForceBalance::terms; ++t) sum_.force[t] += now.force[t];
   ++steps_;
-  largest_residual_ = std::max(largest_residual_, std::abs(now.residual() / now.force[ForceBalance::buoyant_weight]));
+  // Spheres may be as heavy as the liquid that they displace.
+  const double weight =
+      std::max(std::abs(now.force[ForceBalance::buoyant_weight]), 1e-3 * gravitational_acceleration * mass);
+  if (weight > 0.0) largest_residual_ = std::max(largest_residual_, std::abs(now.residual() / weight));
 }
 
 void MeanForceBalance::take(BedSeries& bed) {

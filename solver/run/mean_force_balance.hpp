@@ -23,7 +23,8 @@ class MeanForceBalance {
   /// Spheres were put in or taken out. Liquid appears or vanishes there, so that the next step is left out.
   void spheres_changed() { momentum_is_known_ = false; }
 
-  /// Appends the means [N] and the largest residual over the buoyant weight [-] to the bed's series, and starts anew.
+  /// Appends the means [N] and the largest residual over the weight [-] to the bed's series, and starts anew. The
+  /// weight is the buoyant one of the spheres, at least a thousandth of the whole one.
   void take(BedSeries& bed);
 
   void exchange(io::StateGroup& group);

@@ -85,10 +85,17 @@ class Reader {
   void text(const std::string& key, std::string& value, const Presence& presence) {
     const toml::node* node = look_up(key, presence, "a text in quotes");
     if (node == nullptr) return;
-    if (const auto found = node->value_exact<std::string>()) {
-      value = *found;
-    } else {
+    const auto found = node->value_exact<std::string>();
+    // Such as the escape that begins a command to a terminal.
+    const auto steers = [](unsigned char letter) {
+      return (letter < 0x20 && letter != '\n' && letter != '\t') || letter == 0x7f;
+    };
+    if (!found) {
       wrong_type(key, *node, "a text in quotes");
+    } else if (std::ranges::any_of(*found, steers)) {
+      problems_.add(path(key), "", "has a control character; allowed is text");
+    } else {
+      value = *found;
     }
   }
 
@@ -112,7 +119,11 @@ class Reader {
   void integer(const std::string& key, Integer& value, const Allowed& allowed, const Presence& presence) {
     const toml::node* node = look_up(key, presence, allowed.words);
     if (node == nullptr) return;
-    const auto found = node->value_exact<std::int64_t>();
+    auto found = node->value_exact<std::int64_t>();
+    // 1e6 is a real number in TOML and a whole one to who writes it.
+    constexpr double largest = 9007199254740992.0;  // 2^53: to here every whole number has a double of its own
+    if (const auto real = node->value_exact<double>(); real && std::abs(*real) <= largest && *real == std::floor(*real))
+      found = static_cast<std::int64_t>(*real);
     if (!found) {
       wrong_type(key, *node, allowed.words);
     } else if (!allowed.contains(static_cast<double>(*found))) {
@@ -406,8 +417,9 @@ Scene read_scene(const std::string& text, const std::string& origin, const std::
     root = toml::parse(text, origin);
   } catch (const toml::parse_error& error) {
     const auto& begin = error.source().begin;
-    throw SceneError(
-        fmt::format("{}:{}:{}: not valid TOML: {}", origin, begin.line, begin.column, error.description()));
+    const bool other_letters = error.description().find("utf-8") != std::string_view::npos;
+    throw SceneError(fmt::format("{}:{}:{}: not valid TOML: {}{}", origin, begin.line, begin.column,
+                                 error.description(), other_letters ? "; a scene is a text file in UTF-8" : ""));
   }
   const std::vector<Override> changes = split_overrides(overrides);
   apply_overrides(root, changes, laws);

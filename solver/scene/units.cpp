@@ -34,6 +34,8 @@ ut_system* unit_system() {
     // Viscosities are sold in centipoise; UDUNITS spells the poise out and has no symbol for it.
     if (const Unit centipoise(ut_parse(made.get(), "0.001 Pa s", UT_ASCII)); made && centipoise)
       ut_map_symbol_to_unit("cP", UT_ASCII, centipoise.get());
+    if (const Unit degree(ut_parse(made.get(), "degree", UT_ASCII)); made && degree)
+      ut_map_symbol_to_unit("deg", UT_ASCII, degree.get());
     return made;
   }();
   if (!system) throw std::runtime_error("the unit database of UDUNITS-2 (package libudunits2-data) cannot be read");
@@ -84,6 +86,7 @@ double parse_quantity(std::string_view text, const Dimension& dimension) {
     throw fail("has no unit");
   }
   if (std::isdigit(static_cast<unsigned char>(unit.front()))) throw fail("holds more than one number");
+  if (unit.front() == ',') throw fail("holds a comma; numbers are written with a point");
   const auto converted = convert(value, unit, std::string(dimension.unit));
   if (!converted) throw fail(fmt::format("the unit \"{}\" is unknown or measures something else", unit));
   return round_to_fifteen_digits(*converted);

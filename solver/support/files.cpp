@@ -140,7 +140,10 @@ void make_output_folder(const fs::path& folder) {
         fmt::format("{}: is a link; slfb makes this folder itself and writes through no link, so "
                     "remove it, or choose another --out",
                     folder.string()));
-  fs::create_directories(folder);
+  std::error_code error;
+  fs::create_directories(folder, error);
+  if (error)
+    throw std::runtime_error(fmt::format("{}: this folder cannot be made: {}", folder.string(), error.message()));
 }
 
 bool is_plain_name(std::string_view text) {

@@ -27,8 +27,8 @@ void write_file(const std::filesystem::path& file, std::initializer_list<std::st
 /// is written to.
 void write_named_file(const std::filesystem::path& file, std::string_view text);
 
-/// Makes a folder for output, with those above it. Throws std::runtime_error if a link stands at its name: what is
-/// written there would land where the link leads.
+/// Makes a folder for output, with those above it. Throws std::runtime_error if it cannot be made, or if a link stands
+/// at its name: what is written there would land where the link leads.
 void make_output_folder(const std::filesystem::path& folder);
 
 /// Whether a text can be part of a file's name: letters, digits, '-', '_', '.', '=', '+' and ',', and no point at its

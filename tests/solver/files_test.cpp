@@ -49,6 +49,13 @@ TEST_F(Files, ErrorsNameTheFile) {
   EXPECT_NE(message_of([&] { write_file(lost, "x"); }).find(lost.string()), std::string::npos);
 }
 
+TEST_F(Files, AFolderThatCannotBeMadeIsNamed) {
+  write_file(folder_ / "text", "kept");
+  EXPECT_NE(message_of([&] { make_output_folder(folder_ / "text/runs"); }).find((folder_ / "text/runs").string()),
+            std::string::npos);
+  EXPECT_EQ(read_file(folder_ / "text"), "kept");
+}
+
 TEST_F(Files, AFileThatAUserNamesMayBeALink) {
   write_file(folder_ / "text", "old");
   fs::create_symlink(folder_ / "text", folder_ / "link");

@@ -140,6 +140,8 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"seed = 7", "seed = 7.5", "seed", "7.5", "wrong type"},
         Mistake{"cells_across = 8", "cells_across = \"8\"", "fluid.cells_across", "\"8\"", "wrong type"},
         Mistake{"name = \"glass\"", "name = 5", "species[0].name", "5", "wrong type; allowed is a text in quotes"},
+        Mistake{"title = \"a bed and a sphere\"", "title = \"\\u001b[2J\"", "title", "\"\\u001B[2J\"",
+                "control character"},
         Mistake{"time_step = \"5e-5 s\"", "time_step = 5e-5\nallow_large_time_step = \"yes\"",
                 "contact.allow_large_time_step", "\"yes\"", "allowed is true or false"},
         Mistake{"shape = \"cylinder\"", "shape = \"pipe\"", "geometry.shape", "\"pipe\"",
@@ -484,6 +486,12 @@ TEST(SceneOverride, ReplacesAValueOfAnyType) {
   EXPECT_EQ(scene.fluid.convection, ConvectionScheme::upwind);
   EXPECT_TRUE(scene.contact.allow_large_time_step);
   EXPECT_EQ(scene.recording.bed_interval, 0.02);
+}
+
+TEST(SceneOverride, AWholeNumberMayBeWrittenWithAnExponent) {
+  EXPECT_EQ(parse_scene(valid_scene, "scene.toml", {"seed=1e3"}).seed, 1000U);
+  EXPECT_EQ(scene_hash(parse_scene(valid_scene, "scene.toml", {"seed=8.0"})),
+            scene_hash(parse_scene(valid_scene, "scene.toml", {"seed=8"})));
 }
 
 TEST(SceneOverride, LastOneHolds) { EXPECT_EQ(parse_scene(valid_scene, "scene.toml", {"seed=3", "seed=4"}).seed, 4U); }

@@ -35,7 +35,8 @@ INSTANTIATE_TEST_SUITE_P(Units, Quantity,
                                          Reading{"5e-5 s", time, 5e-5}, Reading{"0.1 ms", time, 1e-4},
                                          Reading{"2 min", time, 120.0}, Reading{"6 cm/s", velocity, 0.06},
                                          Reading{"+6 cm/s", velocity, 0.06}, Reading{"525.5 g", mass, 0.5255},
-                                         Reading{"0.9", ratio, 0.9}, Reading{"90 %", ratio, 0.9}));
+                                         Reading{"5 deg", angle, 5.0}, Reading{"0.9", ratio, 0.9},
+                                         Reading{"90 %", ratio, 0.9}));
 
 class NotAQuantity : public testing::TestWithParam<Reading> {};
 
@@ -59,6 +60,15 @@ INSTANTIATE_TEST_SUITE_P(Units, NotAQuantity,
                                          Reading{"20 Hz", time, 0},  // a reciprocal is another dimension
                                          Reading{"1 s since 2000-01-01", time, 0}, Reading{"1 mm2/s", viscosity, 0},
                                          Reading{"0.9 m", ratio, 0}, Reading{"1 degC", length, 0}));
+
+TEST(Units, ADecimalCommaIsNamed) {
+  for (const char* text : {"1,5 mm", "998,2"}) try {
+      parse_quantity(text, length);
+      FAIL() << text << " was read";
+    } catch (const UnitError& error) {
+      EXPECT_NE(std::string(error.what()).find("holds a comma"), std::string::npos) << error.what();
+    }
+}
 
 TEST(Units, AreReadFromSeveralThreads) {
   std::vector<std::thread> threads;

@@ -266,6 +266,21 @@ TEST_F(Situations, AViscosityInCentipoise) {
   EXPECT_DOUBLE_EQ(parse_scene(box, "scene.toml", {"liquid.viscosity=1.8 cP"}).liquid.viscosity, 1.8e-3);
 }
 
+// The forces are compared with the weight of what the spheres displace, which is nothing here.
+TEST_F(Situations, SpheresAsHeavyAsTheLiquidGiveAResultThatCanBeRead) {
+  const RunResult floating = run(parse_scene(box, "scene.toml", {"species[0].density=998.2 kg/m3"}));
+  ASSERT_FALSE(floating.bed.balance_residual.empty());
+  for (const double residual : floating.bed.balance_residual) EXPECT_LT(residual, 1e-6);
+  save_result(floating, folder_.path() / "result.h5");
+  EXPECT_EQ(load_result(folder_.path() / "result.h5").bed.time, floating.bed.time);
+}
+
+TEST_F(Situations, ARunTooShortForASampleIsToldBefore) {
+  const auto said = remarks_on(parse_scene(box, "scene.toml", {"recording.bed_interval=1 hour"}));
+  ASSERT_EQ(said.size(), 1U);
+  EXPECT_NE(said[0].find("recording.bed_interval = 3600 s is longer than"), std::string::npos) << said[0];
+}
+
 TEST_F(Situations, ASizeDistributionIsOneTable) {
   const std::string table = box.substr(0, box.find("[[species]]")) +
                             "[[species]]\nname = \"glass\"\ndensity = 2230\ndiameters = [\"4 mm\", \"5 mm\"]\n";

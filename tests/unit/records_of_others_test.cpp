@@ -198,8 +198,16 @@ TEST_F(RecordsOfOthersTest, ComplainsWithFileLineAndColumn) {
   expect(of_drop("time [s],z [m]\n0,1\n0,1\n"), {"drop.csv:3: column time: does not rise"});
   expect(of_drop("\xEF\xBB\xBFtime [s],z\r\n0,1\r\n"), {"drop.csv:1: column z: has no unit"});
   expect(of_drop("time [s],z [m]\n"), {"drop.csv:1: has no line of numbers"});
+  expect(of_drop("time [s];z [m]\n0;0,5\n"), {"drop.csv:1: \"time [s];z [m]\"", "needed are commas"});
+  expect(of_drop(std::string(100, '\0')), {"drop.csv: is no text"});
+  expect(of_drop("time [s],z [m]\n0,0.5\n"), {"drop.csv:2: is the only line of numbers"});
+  expect(of_drop("time [s],z [m]\n0,0.5\n1,400\n"), {"drop.csv:3: column z: 400 m lies outside the column"});
   expect(complaint(head + "drops = \"none.csv\"\n"), {"mine.toml:4: drops: there is no file"});
+  std::filesystem::create_symlink("circle.csv", folder_.path() / "circle.csv");
+  expect(complaint(head + "drops = \"circle.csv\"\n"), {"mine.toml:4: drops: there is no file"});
   write_fall("fall.csv", 0.2);
+  std::filesystem::create_symlink("fall.csv", folder_.path() / "same.csv");
+  expect(complaint(head + "drops = [\"fall.csv\", \"same.csv\"]\n"), {"mine.toml:2: ", "same.csv is named twice"});
   write("few.toml", replaced_count());
   expect(complaint(head + "drops = \"fall.csv\"\n" + head + "drops = \"fall.csv\"\nscene = \"few.toml\"\n"),
          {"mine.toml:9: scene: ", "no samples of one number"});

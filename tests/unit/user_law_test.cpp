@@ -270,6 +270,9 @@ TEST_F(UserLawInAScene, APlantedLinkIsNotFollowed) {
   fs::create_directories(link.parent_path());
   fs::create_directory_symlink(elsewhere, link);
   EXPECT_NE(failure_with(scene, folder_ / "out").find("is a link"), std::string::npos);
+  fs::create_directories(folder_ / "planted");
+  fs::create_directory_symlink(elsewhere, folder_ / "planted/runs");
+  EXPECT_NE(failure_with(scene, folder_ / "planted").find("is a link"), std::string::npos);
   EXPECT_TRUE(fs::is_empty(elsewhere));
 }
 
