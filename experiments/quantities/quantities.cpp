@@ -138,6 +138,12 @@ Quantity within(double lowest, double highest, Quantity quantity) {
   return quantity;
 }
 constexpr double unlimited = std::numeric_limits<double>::infinity();
+/// A whole number for each drop.
+Quantity a_count(Quantity quantity) {
+  quantity.step = 1.0;
+  return within(0.0, unlimited, std::move(quantity));
+}
+
 Quantity not_negative(Quantity quantity) { return within(0.0, unlimited, std::move(quantity)); }
 Quantity a_share(Quantity quantity) { return within(0.0, 1.0, std::move(quantity)); }
 
@@ -376,9 +382,9 @@ std::vector<Quantity> of_drops() {
       not_negative({"mean_contacts", "-", "contacts of the falling sphere",
                     "Mean number of spheres that it touches, from entering the bed to the bottom.",
                     of_drop(&DropStatistics::mean_contacts), depends_on_stiffness}),
-      not_negative({"maximum_contacts", "-", "most contacts of the falling sphere",
-                    "Largest number of spheres that it touches at once.", of_drop(&DropStatistics::maximum_contacts),
-                    depends_on_stiffness}),
+      a_count({"maximum_contacts", "-", "most contacts of the falling sphere",
+               "Largest number of spheres that it touches at once.", of_drop(&DropStatistics::maximum_contacts),
+               depends_on_stiffness}),
       a_share({"contact_fraction", "-", "share of the passage in contact",
                "Part of the passage in which the falling sphere touches another.",
                of_drop(&DropStatistics::contact_fraction), depends_on_stiffness}),

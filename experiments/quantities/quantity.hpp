@@ -106,6 +106,7 @@ struct Quantity {
   double highest = std::numeric_limits<double>::infinity();
   bool of_packing = false;  ///< of the settled bed: runs that begin with the same packing are one sample
   bool yes_or_no = false;   ///< 1 or 0 for each drop: its mean is a share
+  double step = 0.0;        ///< between neighbouring values: 1 for counts
   /// Committed results are thinned; true where it is also found in them, for summaries of before it was thought of.
   bool from_thinned = false;
   BoundOfDrop bound = {};  ///< of drops that have no such number; found in thinned results

@@ -52,6 +52,16 @@ PooledEstimate pool_beds(std::span<const std::vector<double>> beds) {
   return estimate;
 }
 
+PooledEstimate with_resolution(PooledEstimate estimate, double step) {
+  if (estimate.samples < 2) return estimate;
+  const auto samples = static_cast<double>(estimate.samples);
+  const double rounding = step / std::sqrt(12.0);
+  estimate.scatter = std::max(estimate.scatter, rounding);
+  estimate.half_width =
+      std::max(estimate.half_width, gsl_cdf_tdist_Pinv(0.975, samples - 1.0) * rounding / std::sqrt(samples));
+  return estimate;
+}
+
 PooledEstimate pool_series(std::span<const SeriesEstimate> runs) {
   if (runs.empty()) throw std::invalid_argument("pool_series: there is no run");
   const double none = std::numeric_limits<double>::quiet_NaN();

@@ -25,6 +25,10 @@ struct PooledEstimate {
 /// Throws std::invalid_argument when there is no sample.
 PooledEstimate pool_beds(std::span<const std::vector<double>> beds);
 
+/// The same of samples that are whole multiples of a step: they scatter by that of the rounding at least, step/√12
+/// (JCGM 100:2008, F.2.2.1), so that two equal counts have no interval of width zero.
+PooledEstimate with_resolution(PooledEstimate estimate, double step);
+
 /// Mean of the undisturbed beds of several runs, each with the interval of its own series. Where these explain the
 /// differences of the runs (chi-square test, the same level), the mean is weighted by them; otherwise the interval
 /// comes from the scatter of the runs. Runs whose series are too short for an interval count only where no other does.

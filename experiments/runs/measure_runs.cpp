@@ -223,7 +223,7 @@ class RunGroup {
     const auto bounds = static_cast<std::size_t>(std::ranges::count_if(
         samples, [](const BoundedSample& one) { return one.kind != BoundedSample::Kind::exact; }));
     if (bounds > 0) return of_median(quantity, samples, bounds);
-    const PooledEstimate estimate = pool_beds(beds);
+    const PooledEstimate estimate = with_resolution(pool_beds(beds), quantity.step);
     Measurement& added = add(quantity, estimate);
     added.scatter = estimate.scatter;
     if (!quantity.yes_or_no) return;

@@ -38,6 +38,34 @@ TEST(PoolBeds, ASingleDropHasNoIntervalAndNoDropNoMean) {
   EXPECT_THROW(pool_beds(Beds{{}}), std::invalid_argument);
 }
 
+// Counts of a Poisson process of mean 2.3: three of them are equal by chance now and then. Their interval has width
+// zero then and misses; with the scatter of the rounding it holds the mean as often as is said.
+TEST(PoolBeds, EqualCountsAreNotKnownExactly) {
+  EXPECT_EQ(pool_beds(Beds{{2.0, 2.0, 2.0}}).half_width, 0.0);
+  const PooledEstimate equal = with_resolution(pool_beds(Beds{{2.0, 2.0, 2.0}}), 1.0);
+  EXPECT_NEAR(equal.half_width, 4.3027 / std::sqrt(12.0) / std::sqrt(3.0),
+              1e-4);  // Student's t, two degrees of freedom
+  std::mt19937 random(5);
+  std::poisson_distribution<int> count(2.3);
+  int raw = 0, kept = 0;
+  constexpr int trials = 4000;
+  for (int k = 0; k < trials; ++k) {
+    Beds beds{{}};
+    for (int n = 0; n < 3; ++n) beds[0].push_back(count(random));
+    const PooledEstimate estimate = pool_beds(beds), resolved = with_resolution(estimate, 1.0);
+    raw += std::abs(estimate.mean - 2.3) <= estimate.half_width;
+    kept += std::abs(resolved.mean - 2.3) <= resolved.half_width;
+  }
+  EXPECT_LT(raw, 0.93 * trials);
+  EXPECT_GT(kept, 0.95 * trials);
+}
+
+TEST(PoolBeds, ScatterOfManyDropsIsNotRounded) {
+  const PooledEstimate estimate = pool_beds(Beds{{1.0, 5.0, 3.0, 7.0}});
+  EXPECT_EQ(with_resolution(estimate, 1.0).half_width, estimate.half_width);
+  EXPECT_TRUE(std::isnan(with_resolution(pool_beds(Beds{{2.0}}), 1.0).half_width));
+}
+
 // The interval holds the true mean about as often as it says, whether beds differ by nothing or by more than drops do.
 // Drops that are all taken for independent hold it in two of three cases there.
 TEST(PoolBeds, CoversTheMeanWhateverTheBedsAdd) {
