@@ -13,6 +13,7 @@
 #include "experiments/commands/commands.hpp"
 #include "experiments/numerics/bench/coupled_bench.hpp"
 #include "experiments/numerics/bench/dem_bench.hpp"
+#include "experiments/numerics/bench/estimate_bench.hpp"
 #include "experiments/numerics/bench/fluid_bench.hpp"
 #include "experiments/numerics/pressure_noise/noise_study.hpp"
 #include "solver/support/folders.hpp"
@@ -167,6 +168,31 @@ void bench_fluid(const FluidOptions& options) {
   if (options.json) fmt::print("{}\n", nlohmann::ordered_json{{"results", results}}.dump(2));
 }
 
+struct EstimateOptions {
+  int repetitions = 3;
+  bool json = false;
+};
+
+void bench_estimate(const EstimateOptions& options) {
+  nlohmann::ordered_json results = nlohmann::ordered_json::array();
+  if (!options.json)
+    fmt::print("{:<16} {:>12} {:>12} {:>10}  {}\n", "part", "measured s", "estimated s", "ratio", "what it is");
+  for (const bench::EstimatePart& part : bench::estimate_parts()) {
+    const bench::EstimateTiming timing =
+        bench::time_estimate(part, options.repetitions, build_folder() / "bench" / ("estimate-" + part.name));
+    if (options.json)
+      results.push_back({{"part", part.name},
+                         {"description", part.description},
+                         {"measured_cpu_seconds", timing.measured},
+                         {"estimated_cpu_seconds", timing.estimated},
+                         {"measured_over_estimated", timing.ratio()}});
+    else
+      fmt::print("{:<16} {:12.3f} {:12.3f} {:10.2f}  {}\n", part.name, timing.measured, timing.estimated,
+                 timing.ratio(), part.description);
+  }
+  if (options.json) fmt::print("{}\n", nlohmann::ordered_json{{"results", results}}.dump(2));
+}
+
 }  // namespace
 
 void add_bench_command(CLI::App& app) {
@@ -243,6 +269,19 @@ void add_bench_command(CLI::App& app) {
       throw CLI::ValidationError(error.what());
     }
   });
+
+  auto estimate_options = std::make_shared<EstimateOptions>();
+  CLI::App* estimate = bench->add_subcommand(
+      "estimate",
+      "How far `slfb run --dry-run` is from what runs take on this machine: small beds in which one part of "
+      "the\nsolver "
+      "has most of the work, measured over estimated CPU time. A ratio of 0.7 throughout says that this\nmachine needs "
+      "0.7 of each estimate. The costs that estimates take are in experiments/runs/run_estimate.hpp.");
+  estimate->add_option("--repetitions", estimate_options->repetitions, "Runs of each part; the least time is reported")
+      ->check(above_zero())
+      ->capture_default_str();
+  estimate->add_flag("--json", estimate_options->json, "Results for programs");
+  estimate->callback([estimate_options] { bench_estimate(*estimate_options); });
 
   auto file = std::make_shared<std::string>("experiments/numerics/pressure_noise/pressure_noise.csv");
   CLI::App* noise = bench->add_subcommand(
