@@ -154,7 +154,7 @@ FigureOutput draw(const FigureContext& outer) {
   values.texts("number", number_titles);
   values.files("packed_curve", packed_tables);
   values.files("velocity_curve", velocity_tables);
-  draw_plot_of_runs("most-likely", folder.plot(), values, {1600, 820}, context, keys);
+  draw_plot_of_runs("most-likely", folder.plot(), values, {1240, 1180}, context, keys);
   return output;
 }
 
