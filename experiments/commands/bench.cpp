@@ -211,14 +211,14 @@ void add_bench_command(CLI::App& app) {
   dem->add_option("--scene", options->scenes, "A, B, C or D; several are timed one after the other")
       ->check(CLI::IsMember({"A", "B", "C", "D"}))
       ->capture_default_str();
-  dem->add_option("--threads", options->threads, "Threads")->check(CLI::Range(1, cores))->capture_default_str();
-  dem->add_option("--repetitions", options->repetitions, "Timed repetitions; the median is reported")
+  dem->add_option("--threads", options->threads, "threads")->check(CLI::Range(1, cores))->capture_default_str();
+  dem->add_option("--repetitions", options->repetitions, "timed repetitions; the median is reported")
       ->check(above_zero())
       ->capture_default_str();
-  dem->add_option("--steps", options->steps, "Steps of a repetition, if not the scene's own")->check(above_zero());
-  dem->add_flag("--json", options->json, "Results for programs");
+  dem->add_option("--steps", options->steps, "steps of a repetition, if not the scene's own")->check(above_zero());
+  dem->add_flag("--json", options->json, "results for programs");
   dem->add_option("--write-lammps", options->lammps_file,
-                  "Write the scene's start as a data file of LAMMPS and LIGGGHTS, and time nothing");
+                  "write the scene's start as a data file of LAMMPS and LIGGGHTS, and time nothing");
   dem->footer(
       "Example:\n  slfb bench dem --scene A C --threads 2\n\n"
       "tests/bench/compare_dem times LAMMPS and LIGGGHTS beside it.");
@@ -229,14 +229,14 @@ void add_bench_command(CLI::App& app) {
       "fluid",
       "The liquid alone, in a column of 50 mm on meshes of several sizes.\nA frozen bed in the lower half, uneven and "
       "changing as a coupled one is; liquid step 1e-4 s.");
-  fluid->add_option("--cells-across", fluid_options->cells_across, "Cells over the diameter; several are timed in turn")
+  fluid->add_option("--cells-across", fluid_options->cells_across, "cells over the diameter; several are timed in turn")
       ->check(CLI::Range(2, 100))
       ->capture_default_str();
-  fluid->add_option("--threads", fluid_options->threads, "Threads")->check(CLI::Range(1, cores))->capture_default_str();
-  fluid->add_option("--steps", fluid_options->steps, "Timed steps")->check(above_zero())->capture_default_str();
+  fluid->add_option("--threads", fluid_options->threads, "threads")->check(CLI::Range(1, cores))->capture_default_str();
+  fluid->add_option("--steps", fluid_options->steps, "timed steps")->check(above_zero())->capture_default_str();
   fluid->add_option("--set", fluid_options->overrides,
-                    "Change the scene: a dotted key of the scene file and a value, as in fluid.convection=upwind");
-  fluid->add_flag("--json", fluid_options->json, "Results for programs");
+                    "change the scene: a dotted key of the scene file and a value, as in fluid.convection=upwind");
+  fluid->add_flag("--json", fluid_options->json, "results for programs");
   fluid->footer("Example:\n  slfb bench fluid --cells-across 7 14 --set fluid.time_step=1e-3");
   fluid->callback([fluid_options] { bench_fluid(*fluid_options); });
 
@@ -245,17 +245,17 @@ void add_bench_command(CLI::App& app) {
                                             "Spheres and liquid together, by stage, in a bed that is already "
                                             "fluidised.\nColumn and cases are "
                                             "experiments/numerics/bench/column.toml and cases.toml.");
-  coupled->add_option("--case", coupled_options->cases, "Case; several are timed one after the other")
+  coupled->add_option("--case", coupled_options->cases, "case; several are timed one after the other")
       ->capture_default_str();
-  coupled->add_option("--threads", coupled_options->threads, "Threads")
+  coupled->add_option("--threads", coupled_options->threads, "threads")
       ->check(CLI::Range(1, cores))
       ->capture_default_str();
-  coupled->add_option("--seconds", coupled_options->seconds, "Simulated time that is timed [s]")
+  coupled->add_option("--seconds", coupled_options->seconds, "simulated time that is timed [s]")
       ->check(above_zero())
       ->capture_default_str();
   coupled->add_option("--set", coupled_options->overrides,
-                      "Change the scene: a dotted key of the scene file and a value, as in fluid.time_step=1e-3");
-  coupled->add_flag("--json", coupled_options->json, "Results for programs");
+                      "change the scene: a dotted key of the scene file and a value, as in fluid.time_step=1e-3");
+  coupled->add_flag("--json", coupled_options->json, "results for programs");
   // The file is read only when the help is shown.
   coupled->footer([] {
     std::string text = "Cases:";
@@ -289,7 +289,7 @@ void add_bench_command(CLI::App& app) {
       "Makes the results anew that the figure pressure-noise draws: the pressure drop of a\nfluidised bed step by "
       "step, "
       "with every void-fraction scheme at four steps of the liquid\n(some ten minutes on one core).");
-  noise->add_option("--out", *file, "File")->capture_default_str();
+  noise->add_option("--out", *file, "file to write")->capture_default_str();
   noise->callback([file] {
     noise::run_study(*file, "slfb bench pressure-noise",
                      [](const std::string& text) { fmt::print(stderr, "slfb: {}\n", text); });

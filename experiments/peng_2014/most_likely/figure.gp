@@ -30,7 +30,7 @@ set ytics ('' 0)
 do for [k=1:reading_count] { set ytics add (title_of(k) k - 1) font ',12' }
 set grid x y
 set key at screen 0.005, screen 1 - 6.0/height left top Left reverse vertical maxrows 2 font ',12' samplen 0.6 \
-  width (format eq 'svg' ? -6 : -1)
+  width (format eq 'svg' ? -3 : 0)
 plot 'most_likely_ranking.csv' skip 1 using (known(2)):1 with points linecolor rgb ours pointtype 7 pointsize 1.1 \
     title 'all counted numbers', \
   '' skip 1 using (known(3)):1 with points linecolor rgb variant pointtype 5 pointsize 0.7 title 'packed bed', \
