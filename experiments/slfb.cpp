@@ -71,7 +71,7 @@ std::string unknown_command(const CLI::App& app, const std::vector<std::string>&
                      slfb::close_names(words.front(), names).front(), fmt::join(names, ", "));
 }
 
-/// The nearest options to those that the command does not know, as a sentence; empty where all are known.
+/// The nearest option to each that the command does not know; empty where all are known or none is near.
 std::string suggestions(const CLI::App& app, const std::vector<std::string>& words) {
   std::vector<const CLI::App*> asked{&app};
   for (const CLI::App* command : app.get_subcommands({}))
@@ -84,7 +84,7 @@ std::string suggestions(const CLI::App& app, const std::vector<std::string>& wor
   for (const std::string& word : words) {
     const std::string name = word.substr(0, word.find('='));
     if (name.starts_with("--") && name.size() > 2 && std::ranges::find(known, name) == known.end())
-      text += fmt::format(" Instead of {}, did you mean {}?", name, slfb::close_names(name, known).front());
+      text += slfb::did_you_mean(name, known);
   }
   return text;
 }
@@ -132,8 +132,10 @@ int main(int argc, char** argv) try {
   app.require_subcommand(1);
   app.footer(examples);
   app.failure_message([&](const CLI::App*, const CLI::Error& error) {
-    return fmt::format("slfb: error: {}{}\nRun with --help for more information.\n", error.what(),
-                       suggestions(app, words));
+    const auto names = command_names(app);
+    const bool of_command = !words.empty() && std::ranges::find(names, words.front()) != names.end();
+    return fmt::format("slfb: error: {}{}\n`slfb {}--help` explains it.\n", error.what(), suggestions(app, words),
+                       of_command ? words.front() + " " : "");
   });
   app.add_flag_callback(
       "-q,--quiet", [] { spdlog::set_level(spdlog::level::err); }, "no warnings, no progress");

@@ -71,11 +71,11 @@ std::string doubts(const ReportContents& contents, const std::string& id) {
 std::string simulations(const ReportContents& contents, const FigurePage& figure, const fs::path& folder) {
   std::string rows;
   double wall = 0.0;
-  std::size_t count = 0;
+  std::set<std::string> found;  // a run may have been made by several profiles
   for (const RunRow& run : contents.runs) {
     if (std::ranges::find(figure.run_keys, run.key) == figure.run_keys.end()) continue;
     wall += run.wall_seconds;
-    ++count;
+    found.insert(run.key);
     const std::string file = "../runs/" + run.download;
     rows += fmt::format(
         "<tr><td class=\"lead\">{}</td><td data-label=\"Profile\">{}</td><td data-label=\"Simulated\"><span "
@@ -89,11 +89,11 @@ std::string simulations(const ReportContents& contents, const FigurePage& figure
   }
   const std::size_t wanted = figure.run_keys.size();
   std::string html = "<h2>Simulations and their cost</h2>\n";
-  if (count == 0)
+  if (found.empty())
     return html + (wanted == 0 ? "<p>This figure needs no simulation.</p>\n"
                                : fmt::format("<p>None of its {} simulations exists yet.</p>\n", wanted));
   return html +
-         fmt::format("<p>{} of {}, {} of computing. The results are HDF5 files.</p>\n", count,
+         fmt::format("<p>{} of {}, {} of computing. The results are HDF5 files.</p>\n", found.size(),
                      plural(wanted, "simulation"), readable_duration(wall)) +
          "<div class=\"card scroll\"><table class=\"stack\">\n<thead><tr><th>Run</th><th>Profile</th><th>Simulated</th>"
          "<th>Wall time</th><th>Threads</th><th>Result</th><th>From</th></tr></thead>\n<tbody>\n" +
@@ -131,14 +131,14 @@ std::string notes(const FigurePage& figure) {
   std::string others;
   for (const std::string& note : figure.notes) {
     if (const auto sides = two_sides(note))
-      rows.push_back({prose_html(sides->second), prose_html(sides->first)});
+      rows.push_back({prose_html(sides->first), prose_html(sides->second)});
     else
       others += "<li>" + prose_html(note) + "</li>";
   }
   std::string html;
   if (!rows.empty())
     html += "<h2>What sets the simulations apart from the paper's</h2>\n<div class=\"pairs\">" +
-            table_html({"Paper", "Here"}, rows) + "</div>\n";
+            table_html({"Here", "Paper"}, rows) + "</div>\n";
   if (!others.empty()) html += "<details><summary>What else to know of it</summary><ul>" + others + "</ul></details>\n";
   return html;
 }

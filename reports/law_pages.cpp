@@ -253,7 +253,8 @@ std::string law_section() {
         "<td data-label=\"Formula\"><div><code>{3}</code><span class=\"id\">{4}{5}</span></div></td>"
         "<td data-label=\"Re\"><span class=\"number\">{6}</span></td><td data-label=\"Voidage\"><span "
         "class=\"number\">{7}"
-        "</span></td><td data-label=\"Source\">{8}</td><td data-label=\"Known by\">{9}</td></tr>\n",
+        "</span></td><td data-label=\"Source\"><span class=\"number\">{8}</span></td><td data-label=\"Known "
+        "by\">{9}</td></tr>\n",
         escape(info.name), escape(info.title), escape(to_string(info.kind)), escape(info.equation),
         escape(info.convention), info.note.empty() ? "" : " · " + escape(info.note), range_text(info.reynolds),
         range_text(info.voidage), escape(info.source), escape(to_string(info.confidence)));

@@ -10,6 +10,12 @@ set key textcolor rgb '#2b3138' samplen 1.8 spacing 1.15
 set title font ',15' textcolor rgb '#14181d'
 set xlabel textcolor rgb '#14181d'
 set ylabel textcolor rgb '#14181d'
+# gnuplot takes the letters of an SVG to be larger than browsers draw them. It puts the titles of axes further out then,
+# and leaves out what would begin outside the picture.
+if (format eq 'svg') {
+  set xlabel offset 0,0.6
+  set ylabel offset 1.2,0
+}
 set bars 0.6
 set pointintervalbox 0
 set lmargin 9

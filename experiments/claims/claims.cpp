@@ -816,8 +816,9 @@ std::vector<Evaluation> evaluate(const std::vector<Claim>& claims, const Measure
     }
     evaluations.back().seconds = seconds;
     if (look != looks.end() && look->second > 1)
-      evaluations.back().reason += fmt::format("; look {} at these runs, of intervals that miss in {:.2g} % of cases",
-                                               look->second, 100.0 * significance_of_look(look->second));
+      evaluations.back().reason +=
+          fmt::format("; judged {} times as runs were added, so the interval is one of {:.4g} %", look->second,
+                      100.0 * (1.0 - significance_of_look(look->second)));
   }
   return evaluations;
 }

@@ -24,7 +24,7 @@ void add_article_command(CLI::App& app, const Works& works) {
   add_work_option(*command, works, options->work);
   command->add_option("--profile", options->profile,
                       "simulations whose numbers it has (default: " + find_work(works, "").default_profile + ")");
-  command->add_option("--out", options->out, "folder of runs/ and article/")->capture_default_str();
+  command->add_option("--out", options->out, "folder of runs/ and article/")->type_name("DIR")->capture_default_str();
   command->footer(
       fmt::format("The text is experiments/WORK/article/article.md, with metadata.yaml beside it as ReScience C wants "
                   "it. Nothing is\n"

@@ -13,6 +13,7 @@
 #include "experiments/commands/commands.hpp"
 #include "experiments/numerics/bench/coupled_bench.hpp"
 #include "experiments/numerics/bench/dem_bench.hpp"
+#include "experiments/numerics/bench/estimate_bench.hpp"
 #include "experiments/numerics/bench/fluid_bench.hpp"
 #include "experiments/numerics/pressure_noise/noise_study.hpp"
 #include "solver/support/folders.hpp"
@@ -167,6 +168,31 @@ void bench_fluid(const FluidOptions& options) {
   if (options.json) fmt::print("{}\n", nlohmann::ordered_json{{"results", results}}.dump(2));
 }
 
+struct EstimateOptions {
+  int repetitions = 3;
+  bool json = false;
+};
+
+void bench_estimate(const EstimateOptions& options) {
+  nlohmann::ordered_json results = nlohmann::ordered_json::array();
+  if (!options.json)
+    fmt::print("{:<16} {:>12} {:>12} {:>10}  {}\n", "part", "measured s", "estimated s", "ratio", "what it is");
+  for (const bench::EstimatePart& part : bench::estimate_parts()) {
+    const bench::EstimateTiming timing =
+        bench::time_estimate(part, options.repetitions, build_folder() / "bench" / ("estimate-" + part.name));
+    if (options.json)
+      results.push_back({{"part", part.name},
+                         {"description", part.description},
+                         {"measured_cpu_seconds", timing.measured},
+                         {"estimated_cpu_seconds", timing.estimated},
+                         {"measured_over_estimated", timing.ratio()}});
+    else
+      fmt::print("{:<16} {:12.3f} {:12.3f} {:10.2f}  {}\n", part.name, timing.measured, timing.estimated,
+                 timing.ratio(), part.description);
+  }
+  if (options.json) fmt::print("{}\n", nlohmann::ordered_json{{"results", results}}.dump(2));
+}
+
 }  // namespace
 
 void add_bench_command(CLI::App& app) {
@@ -185,14 +211,14 @@ void add_bench_command(CLI::App& app) {
   dem->add_option("--scene", options->scenes, "A, B, C or D; several are timed one after the other")
       ->check(CLI::IsMember({"A", "B", "C", "D"}))
       ->capture_default_str();
-  dem->add_option("--threads", options->threads, "Threads")->check(CLI::Range(1, cores))->capture_default_str();
-  dem->add_option("--repetitions", options->repetitions, "Timed repetitions; the median is reported")
+  dem->add_option("--threads", options->threads, "threads")->check(CLI::Range(1, cores))->capture_default_str();
+  dem->add_option("--repetitions", options->repetitions, "timed repetitions; the median is reported")
       ->check(above_zero())
       ->capture_default_str();
-  dem->add_option("--steps", options->steps, "Steps of a repetition, if not the scene's own")->check(above_zero());
-  dem->add_flag("--json", options->json, "Results for programs");
+  dem->add_option("--steps", options->steps, "steps of a repetition, if not the scene's own")->check(above_zero());
+  dem->add_flag("--json", options->json, "results for programs");
   dem->add_option("--write-lammps", options->lammps_file,
-                  "Write the scene's start as a data file of LAMMPS and LIGGGHTS, and time nothing");
+                  "write the scene's start as a data file of LAMMPS and LIGGGHTS, and time nothing");
   dem->footer(
       "Example:\n  slfb bench dem --scene A C --threads 2\n\n"
       "tests/bench/compare_dem times LAMMPS and LIGGGHTS beside it.");
@@ -203,14 +229,14 @@ void add_bench_command(CLI::App& app) {
       "fluid",
       "The liquid alone, in a column of 50 mm on meshes of several sizes.\nA frozen bed in the lower half, uneven and "
       "changing as a coupled one is; liquid step 1e-4 s.");
-  fluid->add_option("--cells-across", fluid_options->cells_across, "Cells over the diameter; several are timed in turn")
+  fluid->add_option("--cells-across", fluid_options->cells_across, "cells over the diameter; several are timed in turn")
       ->check(CLI::Range(2, 100))
       ->capture_default_str();
-  fluid->add_option("--threads", fluid_options->threads, "Threads")->check(CLI::Range(1, cores))->capture_default_str();
-  fluid->add_option("--steps", fluid_options->steps, "Timed steps")->check(above_zero())->capture_default_str();
+  fluid->add_option("--threads", fluid_options->threads, "threads")->check(CLI::Range(1, cores))->capture_default_str();
+  fluid->add_option("--steps", fluid_options->steps, "timed steps")->check(above_zero())->capture_default_str();
   fluid->add_option("--set", fluid_options->overrides,
-                    "Change the scene: a dotted key of the scene file and a value, as in fluid.convection=upwind");
-  fluid->add_flag("--json", fluid_options->json, "Results for programs");
+                    "change the scene: a dotted key of the scene file and a value, as in fluid.convection=upwind");
+  fluid->add_flag("--json", fluid_options->json, "results for programs");
   fluid->footer("Example:\n  slfb bench fluid --cells-across 7 14 --set fluid.time_step=1e-3");
   fluid->callback([fluid_options] { bench_fluid(*fluid_options); });
 
@@ -219,17 +245,17 @@ void add_bench_command(CLI::App& app) {
                                             "Spheres and liquid together, by stage, in a bed that is already "
                                             "fluidised.\nColumn and cases are "
                                             "experiments/numerics/bench/column.toml and cases.toml.");
-  coupled->add_option("--case", coupled_options->cases, "Case; several are timed one after the other")
+  coupled->add_option("--case", coupled_options->cases, "case; several are timed one after the other")
       ->capture_default_str();
-  coupled->add_option("--threads", coupled_options->threads, "Threads")
+  coupled->add_option("--threads", coupled_options->threads, "threads")
       ->check(CLI::Range(1, cores))
       ->capture_default_str();
-  coupled->add_option("--seconds", coupled_options->seconds, "Simulated time that is timed [s]")
+  coupled->add_option("--seconds", coupled_options->seconds, "simulated time that is timed [s]")
       ->check(above_zero())
       ->capture_default_str();
   coupled->add_option("--set", coupled_options->overrides,
-                      "Change the scene: a dotted key of the scene file and a value, as in fluid.time_step=1e-3");
-  coupled->add_flag("--json", coupled_options->json, "Results for programs");
+                      "change the scene: a dotted key of the scene file and a value, as in fluid.time_step=1e-3");
+  coupled->add_flag("--json", coupled_options->json, "results for programs");
   // The file is read only when the help is shown.
   coupled->footer([] {
     std::string text = "Cases:";
@@ -244,13 +270,26 @@ void add_bench_command(CLI::App& app) {
     }
   });
 
+  auto estimate_options = std::make_shared<EstimateOptions>();
+  CLI::App* estimate = bench->add_subcommand(
+      "estimate",
+      "How far `slfb run --dry-run` is from what runs take on this machine: small beds in which one part of "
+      "the\nsolver "
+      "has most of the work, measured over estimated CPU time. A ratio of 0.7 throughout says that this\nmachine needs "
+      "0.7 of each estimate. The costs that estimates take are in experiments/runs/run_estimate.hpp.");
+  estimate->add_option("--repetitions", estimate_options->repetitions, "Runs of each part; the least time is reported")
+      ->check(above_zero())
+      ->capture_default_str();
+  estimate->add_flag("--json", estimate_options->json, "Results for programs");
+  estimate->callback([estimate_options] { bench_estimate(*estimate_options); });
+
   auto file = std::make_shared<std::string>("experiments/numerics/pressure_noise/pressure_noise.csv");
   CLI::App* noise = bench->add_subcommand(
       "pressure-noise",
       "Makes the results anew that the figure pressure-noise draws: the pressure drop of a\nfluidised bed step by "
       "step, "
       "with every void-fraction scheme at four steps of the liquid\n(some ten minutes on one core).");
-  noise->add_option("--out", *file, "File")->capture_default_str();
+  noise->add_option("--out", *file, "file to write")->capture_default_str();
   noise->callback([file] {
     noise::run_study(*file, "slfb bench pressure-noise",
                      [](const std::string& text) { fmt::print(stderr, "slfb: {}\n", text); });

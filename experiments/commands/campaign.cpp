@@ -24,7 +24,7 @@ namespace fs = std::filesystem;
 
 constexpr const char* examples = R"(Examples:
   slfb campaign full --to make > full.mk          then: make -f full.mk -j 8
-  slfb campaign full --to snakemake > Snakefile   then: snakemake --cores 8
+  slfb campaign full --to snakemake > Snakefile   then: snakemake --cores 8 --keep-going
   slfb campaign full --to slurm > full.sh         then: sh full.sh, on the machine where sbatch is
   slfb campaign merge machine-1 machine-2         bring the results of several machines together, in DIR/runs
 

@@ -449,38 +449,38 @@ void add_compare_command(CLI::App& app, const Works& works) {
   for (const auto& [name, tier] : tiers) tier_names.push_back(name);
   auto* drag = command
                    ->add_option("--drag", options->drag,
-                                "Drag laws: names from `slfb laws --kind drag`, or C++ files, each with parameters")
+                                "drag laws: names from `slfb laws --kind drag`, or C++ files, each with parameters")
                    ->type_name("LAW[:KEY=VALUE,...],...");
   auto* contact =
       command
-          ->add_option("--contact", options->contact, "Contact laws: linear, hertz, or C++ files, each with parameters")
+          ->add_option("--contact", options->contact, "contact laws: linear, hertz, or C++ files, each with parameters")
           ->type_name("LAW[:KEY=VALUE,...],...");
-  auto* void_fraction = command->add_option("--void-fraction", options->void_fraction, "Void-fraction schemes")
+  auto* void_fraction = command->add_option("--void-fraction", options->void_fraction, "void-fraction schemes")
                             ->delimiter(',')
                             ->type_name("SCHEME,...");
   auto* print_template =
       command
-          ->add_option("--template", options->template_kind, "Print a file to start an own law from: drag or contact")
+          ->add_option("--template", options->template_kind, "print a file to start an own law from: drag or contact")
           ->check(CLI::IsMember({"drag", "contact"}));
   drag->excludes(contact)->excludes(void_fraction)->excludes(print_template);
   contact->excludes(void_fraction)->excludes(print_template);
   void_fraction->excludes(print_template);
   add_work_option(*command, works, options->work);
-  command->add_option("--tier", options->tier, "How much to simulate: correlation, 1d or 3d")
+  command->add_option("--tier", options->tier, "how much to simulate: correlation, 1d or 3d")
       ->check(CLI::IsMember(tier_names))
       ->capture_default_str();
   command
       ->add_option("--experiments", options->experiments,
-                   "Only claims whose id begins so, such as fig10 (default: all)")
+                   "only claims whose id begins so, such as fig10 (default: all)")
       ->delimiter(',')
       ->type_name("ID,...");
-  command->add_option("--velocities", options->velocities, "Superficial velocities of the runs [m/s]")
+  command->add_option("--velocities", options->velocities, "superficial velocities of the runs [m/s]")
       ->delimiter(',')
       ->type_name("U,...");
-  command->add_option("--out", options->out, "Folder of runs/ and compare/")->capture_default_str();
-  command->add_option("--jobs", options->jobs, "Simulations side by side (default: cores over threads)")
+  command->add_option("--out", options->out, "folder of runs/ and compare/")->type_name("DIR")->capture_default_str();
+  command->add_option("--jobs", options->jobs, "simulations side by side (default: cores over threads)")
       ->check(above_zero());
-  command->add_option("--threads", options->threads, "Threads of each simulation")
+  command->add_option("--threads", options->threads, "threads of each simulation")
       ->check(above_zero())
       ->capture_default_str();
   command->footer(examples);

@@ -1,5 +1,6 @@
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <spawn.h>
 #include <spdlog/spdlog.h>
 #include <unistd.h>
@@ -32,6 +33,7 @@
 #include "experiments/work/more_runs.hpp"
 #include "experiments/work/report_pages.hpp"
 #include "reports/report.hpp"
+#include "solver/support/close_names.hpp"
 #include "solver/support/files.hpp"
 #include "solver/support/folders.hpp"
 
@@ -69,17 +71,14 @@ struct Options {
   std::string budget = "30 min";
 };
 
-std::string known_ids(const Work& work) {
-  std::string text;
-  for (const auto& figure : work.figures) text += (text.empty() ? "" : ", ") + figure.id;
-  return text;
-}
-
 /// The named figures, or all of them. Throws CLI::ValidationError listing the known ones on an unknown name.
 std::vector<const Figure*> choose(const Work& work, const std::vector<std::string>& ids) {
+  std::vector<std::string> known;
+  for (const auto& figure : work.figures) known.push_back(figure.id);
   for (const auto& id : ids)
-    if (std::ranges::find(work.figures, id, &Figure::id) == work.figures.end())
-      throw CLI::ValidationError("ID", fmt::format("there is no figure \"{}\"; known: {}", id, known_ids(work)));
+    if (std::ranges::find(known, id) == known.end())
+      throw CLI::ValidationError("ID", fmt::format("there is no figure \"{}\"{}; known: {}", id,
+                                                   did_you_mean(id, known), fmt::join(known, ", ")));
   std::vector<const Figure*> chosen;
   for (const auto& figure : work.figures)
     if (ids.empty() || std::ranges::find(ids, figure.id) != ids.end()) chosen.push_back(&figure);
@@ -343,9 +342,10 @@ int make_figures(const Work& work, const Options& options) {
 void add_figures_command(CLI::App& app, const Works& works) {
   auto options = std::make_shared<Options>();
   CLI::App* command = app.add_subcommand("figures", "Simulate what is missing, draw the figures, write the report");
-  command->add_option("ID", options->ids,
-                      "figures to draw, and to simulate for: " + known_ids(find_work(works, "")) +
-                          " (default: all of them and the report)");
+  command->add_option(
+      "ID", options->ids,
+      "figures to draw, and to simulate for, such as fig05 (`slfb list` shows them; default: all of them "
+      "and the report)");
   add_work_option(*command, works, options->work);
   command->add_option(
       "--profile", options->profile,
@@ -353,7 +353,9 @@ void add_figures_command(CLI::App& app, const Works& works) {
   command->add_option("--jobs", options->jobs, "simulations side by side (default: one per core)")->check(above_zero());
   command->add_option("--threads", options->threads, "threads of each simulation (default: cores over jobs)")
       ->check(above_zero());
-  command->add_option("--out", options->out, "folder of runs/, figures/ and report/")->capture_default_str();
+  command->add_option("--out", options->out, "folder of runs/, figures/ and report/")
+      ->type_name("DIR")
+      ->capture_default_str();
   command->add_option("--studies", options->studies, "charts of methods too: how much of them to compute")
       ->check(CLI::IsMember({"quick", "full"}));
   auto* no_run = command->add_flag("--no-run", options->no_run, "simulate nothing, draw with what exists");

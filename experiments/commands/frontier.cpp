@@ -120,18 +120,20 @@ int run(const Options& options) {
 void add_frontier_command(CLI::App& app) {
   auto options = std::make_shared<Options>();
   CLI::App* command = app.add_subcommand("frontier", "Error against cost of methods, as work-precision charts");
-  command->add_option("STUDY", options->studies, "Studies (default: all)");
-  command->add_option("--set", options->set, "How much to compute")
+  command->add_option("STUDY", options->studies, "studies (default: all)");
+  command->add_option("--set", options->set, "how much to compute")
       ->check(CLI::IsMember({"quick", "full"}))
       ->capture_default_str();
-  command->add_option("--out", options->out, "Folder of trials/ and frontier/")->capture_default_str();
-  command->add_option("--jobs", options->jobs, "Trials side by side, one thread each")
+  command->add_option("--out", options->out, "folder of trials/ and frontier/")
+      ->type_name("DIR")
+      ->capture_default_str();
+  command->add_option("--jobs", options->jobs, "trials side by side, one thread each")
       ->check(above_zero())
       ->capture_default_str();
-  command->add_flag("--list", options->list, "Show the studies and what of them is computed");
-  command->add_flag("--no-run", options->no_run, "Compute nothing, draw what exists");
+  command->add_flag("--list", options->list, "show the studies and what of them is computed");
+  command->add_flag("--no-run", options->no_run, "compute nothing, draw what exists");
   command->add_flag("--publish", options->publish,
-                    "Write the reduced results to experiments/numerics/frontier/results too");
+                    "write the reduced results to experiments/numerics/frontier/results too");
   command->footer(examples);
   command->callback([options] {
     if (const int status = run(*options); status != 0) throw CLI::RuntimeError(status);

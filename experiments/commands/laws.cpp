@@ -252,9 +252,9 @@ void add_laws_command(CLI::App& app) {
   };
   auto options = std::make_shared<Options>();
   CLI::App* command = app.add_subcommand("laws", "List the literature laws with their sources and ranges");
-  command->add_flag("--json", options->json, "Write JSON instead of a table");
-  command->add_option("--kind", options->kind, "Only the laws of this kind")->check(CLI::IsMember(kinds()));
-  command->add_option("--plot", options->plot, "Draw the laws of --kind in FILE (.svg, .png or .pdf)")
+  command->add_flag("--json", options->json, "write JSON instead of a table");
+  command->add_option("--kind", options->kind, "only the laws of this kind")->check(CLI::IsMember(kinds()));
+  command->add_option("--plot", options->plot, "draw the laws of --kind in FILE (.svg, .png or .pdf)")
       ->type_name("FILE")
       ->needs("--kind");
   command->footer(
@@ -288,7 +288,7 @@ void add_law_command(CLI::App& app) {
   CLI::App* command = app.add_subcommand("law", "Show one law and evaluate it");
   command
       ->add_option("NAME", options->name,
-                   "Name of the law, from 'slfb laws', with parameters that it takes: NAME:KEY=VALUE,KEY=VALUE")
+                   "name of the law, from 'slfb laws', with parameters that it takes: NAME:KEY=VALUE,KEY=VALUE")
       ->required();
   for (const Argument& argument : all_arguments()) {
     command
@@ -296,11 +296,11 @@ void add_law_command(CLI::App& app) {
                      fmt::format("{} [{}]", argument.meaning, argument.unit))
         ->capture_default_str();
   }
-  CLI::Option* json_flag = command->add_flag("--json", options->json, "Write JSON");
-  command->add_flag("--csv", options->csv, "Write lines of quantity,value,unit")->excludes(json_flag);
+  CLI::Option* json_flag = command->add_flag("--json", options->json, "write JSON");
+  command->add_flag("--csv", options->csv, "write lines of quantity,value,unit")->excludes(json_flag);
   command
       ->add_option("--plot", options->plot,
-                   "Draw the law among those of its kind in FILE (.svg, .png or .pdf; its data and script beside it)")
+                   "draw the law among those of its kind in FILE (.svg, .png or .pdf; its data and script beside it)")
       ->type_name("FILE");
   command->footer(
       "All numbers are in SI units. A drag law needs --voidage and --re; the other defaults are 5 mm glass and a 6 mm\n"

@@ -284,9 +284,9 @@ void add_league_command(CLI::App& app) {
   auto options = std::make_shared<LeagueOptions>();
   CLI::App* command = app.add_subcommand("league", "Every law against all measurements that the suite holds");
   CLI::Option* scene =
-      command->add_option("SCENE", options->scene, "Scene file (TOML): which laws were near in beds like its")
+      command->add_option("SCENE", options->scene, "scene file (TOML): which laws were near in beds like its")
           ->check(CLI::ExistingFile);
-  command->add_option("--set", options->overrides, "Replace a value of the scene: KEY=VALUE, may be repeated")
+  command->add_option("--set", options->overrides, "replace a value of the scene: KEY=VALUE, may be repeated")
       ->allow_extra_args(false)
       ->needs(scene);
   for (const auto& [name, value, text] : std::vector<std::tuple<const char*, std::string*, const char*>>{
@@ -296,12 +296,12 @@ void add_league_command(CLI::App& app) {
            {"--viscosity", &options->viscosity, "Of the liquid"},
            {"--column", &options->column, "Inner diameter of the column (default: no walls)"}})
     command->add_option(name, *value, text)->capture_default_str()->excludes(scene);
-  command->add_option("--drag", options->drag, "Drag laws to show wherever they stand: names, or C++ files of your own")
+  command->add_option("--drag", options->drag, "drag laws to show wherever they stand: names, or C++ files of your own")
       ->delimiter(',')
       ->type_name("LAW,...");
-  command->add_option("--rows", options->rows, "Laws shown in each table")->capture_default_str();
-  command->add_option("--out", options->out, "Folder of league/")->capture_default_str();
-  command->add_flag("--json", options->json, "Write JSON");
+  command->add_option("--rows", options->rows, "laws shown in each table")->capture_default_str();
+  command->add_option("--out", options->out, "folder of league/")->type_name("DIR")->capture_default_str();
+  command->add_flag("--json", options->json, "write JSON");
   command->footer(league_examples);
   command->callback([options] {
     try {
@@ -316,16 +316,16 @@ void add_predict_command(CLI::App& app) {
   auto options = std::make_shared<PredictOptions>();
   CLI::App* command = app.add_subcommand(
       "predict", "Voidage, U_mf and pressure drop of a scene's bed before it runs, with how sure they are");
-  command->add_option("SCENE", options->scene, "Scene file (TOML)")->check(CLI::ExistingFile);
-  command->add_option("--set", options->overrides, "Replace a value of the scene: KEY=VALUE, may be repeated")
+  command->add_option("SCENE", options->scene, "scene file (TOML)")->check(CLI::ExistingFile);
+  command->add_option("--set", options->overrides, "replace a value of the scene: KEY=VALUE, may be repeated")
       ->allow_extra_args(false);
   command->add_option("--law", options->law,
-                      "Law of the voidage: a name of `slfb league`, or a C++ file (default: the recommended)");
-  command->add_option("--packed-voidage", options->packed_voidage, "Of the bed at rest")
+                      "law of the voidage: a name of `slfb league`, or a C++ file (default: the recommended)");
+  command->add_option("--packed-voidage", options->packed_voidage, "of the bed at rest")
       ->check(CLI::Range(0.26, 0.6))
       ->capture_default_str();
-  command->add_flag("--calibration", options->calibration, "Instead of a scene: predictions of measured beds left out");
-  command->add_flag("--json", options->json, "Write JSON");
+  command->add_flag("--calibration", options->calibration, "instead of a scene: predictions of measured beds left out");
+  command->add_flag("--json", options->json, "write JSON");
   command->footer(predict_examples);
   command->callback([options] {
     try {

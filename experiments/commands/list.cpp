@@ -144,6 +144,12 @@ void add_list_command(CLI::App& app, const Works& works) {
   command->add_flag("--json", options->json, "everything, or the runs of --runs, as JSON")->excludes(what);
   command->add_option("--out", options->out, "folder of runs/")->option_text("DIR");
   add_work_option(*command, works, options->work);
+  command->footer(R"(Examples:
+  slfb list                          figures, runs and costs of each profile, scenes
+  slfb list quantities               what is measured, with unit and definition
+  slfb list data                     what a result file holds
+  slfb list --runs full              the runs of profile full: hash, key, cost on one core, whether they are done
+  slfb list --json                   everything, for programs)");
   command->callback([options, &works] {
     const Work& work = find_work(works, options->work);
     if (options->what == "quantities") return list_quantities(work);

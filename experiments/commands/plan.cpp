@@ -351,24 +351,24 @@ int run(const Options& options) {
 void add_plan_command(CLI::App& app) {
   auto options = std::make_shared<Options>();
   CLI::App* command = app.add_subcommand("plan", "Which models and steps a scene needs for what is asked of it");
-  command->add_option("SCENE", options->scene, "Scene file (TOML)")->check(CLI::ExistingFile);
+  command->add_option("SCENE", options->scene, "scene file (TOML)")->check(CLI::ExistingFile);
   add_work_option(*command, works(), options->work);
-  command->add_option("--for", options->asked, "Quantities that are asked for")->delimiter(',')->type_name("Q,...");
-  command->add_option("--set", options->overrides, "Replace a value of the scene: KEY=VALUE, may be repeated")
+  command->add_option("--for", options->asked, "quantities that are asked for")->delimiter(',')->type_name("Q,...");
+  command->add_option("--set", options->overrides, "replace a value of the scene: KEY=VALUE, may be repeated")
       ->allow_extra_args(false);
   command->add_flag("--keep-forces", options->keep_forces,
-                    "Leave added mass, lift, history, lubrication and correction as the scene has them");
+                    "leave added mass, lift, history, lubrication and correction as the scene has them");
   CLI::Option* accuracy = command->add_option_function<std::string>(
       "--accuracy", [options](const std::string& text) { options->accuracy = accuracy_of(text); },
       "Largest error that each asked quantity may have, \"5 %\": what it takes (see `slfb run --help`)");
   accuracy->type_name("ERROR");
-  command->add_flag("--best", options->best, "With --accuracy: the best that can be had where it is out of reach")
+  command->add_flag("--best", options->best, "with --accuracy: the best that can be had where it is out of reach")
       ->needs(accuracy);
-  command->add_flag("--verify", options->verify, "Run each richer choice and compare with the bands");
-  command->add_flag("--figures", options->figures, "Instead of a scene: the cheapest model for each figure of a work");
-  command->add_flag("--json", options->json, "Write the plan as JSON");
-  command->add_option("--out", options->out, "Folder of runs/, for --verify")->capture_default_str();
-  command->add_option("--jobs", options->jobs, "Simulations side by side, for --verify")
+  command->add_flag("--verify", options->verify, "run each richer choice and compare with the bands");
+  command->add_flag("--figures", options->figures, "instead of a scene: the cheapest model for each figure of a work");
+  command->add_flag("--json", options->json, "write the plan as JSON");
+  command->add_option("--out", options->out, "folder of runs/, for --verify")->type_name("DIR")->capture_default_str();
+  command->add_option("--jobs", options->jobs, "simulations side by side, for --verify")
       ->check(above_zero())
       ->capture_default_str();
   command->footer(examples);

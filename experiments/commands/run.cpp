@@ -311,18 +311,18 @@ void add_run_command(CLI::App& app) {
   auto options = std::make_shared<Options>();
   const int cores = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
   CLI::App* command = app.add_subcommand("run", "Simulate one scene");
-  command->add_option("SCENE", options->asked_scene, "Scene file (TOML), or with --profile the key of a run")
+  command->add_option("SCENE", options->asked_scene, "scene file (TOML), or with --profile the key of a run")
       ->required()
       ->option_text("SCENE|KEY");
   CLI::Option* profile =
-      command->add_option("--profile", options->profile, "One run of this profile, with its settings")
+      command->add_option("--profile", options->profile, "one run of this profile, with its settings")
           ->option_text("PROFILE");
   add_work_option(*command, works(), options->work);
-  command->add_option("--out", options->out, "Folder of runs/")->capture_default_str();
+  command->add_option("--out", options->out, "folder of runs/")->type_name("DIR")->capture_default_str();
   command->add_option("--threads", options->threads, fmt::format("Threads, up to the {} cores here", cores))
       ->check(CLI::Range(1, cores))
       ->capture_default_str();
-  command->add_option("--set", options->overrides, "Replace a value of the scene: KEY=VALUE, may be repeated")
+  command->add_option("--set", options->overrides, "replace a value of the scene: KEY=VALUE, may be repeated")
       ->allow_extra_args(false)
       ->excludes(profile);
   CLI::Option* plan = command->add_option_function<std::string>(
@@ -333,7 +333,7 @@ void add_run_command(CLI::App& app) {
       "--accuracy", [options](const std::string& text) { options->accuracy = accuracy_of(text); },
       "Largest relative error that each asked quantity may have, \"5 %\": plans, and runs as many beds as it takes");
   accuracy->type_name("ERROR")->excludes(plan);
-  command->add_flag("--best", options->best, "With --accuracy: the best that can be had where it is out of reach")
+  command->add_flag("--best", options->best, "with --accuracy: the best that can be had where it is out of reach")
       ->needs(accuracy);
   command
       ->add_option_function<std::string>(
@@ -342,12 +342,12 @@ void add_run_command(CLI::App& app) {
       ->needs(accuracy)
       ->type_name("TIME");
   CLI::Option* asked =
-      command->add_option("--for", options->asked, "Quantities that are asked for (see `slfb plan --help`)");
+      command->add_option("--for", options->asked, "quantities that are asked for (see `slfb plan --help`)");
   asked->delimiter(',')->type_name("Q,...");
   CLI::Option* keep_forces = command->add_flag("--keep-forces", options->keep_forces,
-                                               "The plan leaves added mass, lift, … as the scene has them");
-  command->add_flag("--dry-run", options->dry_run, "Check the scene and show what would run, without running it");
-  command->add_flag("--json", options->json, "Write the plan or the summary as JSON");
+                                               "the plan leaves added mass, lift, … as the scene has them");
+  command->add_flag("--dry-run", options->dry_run, "check the scene and show what would run, without running it");
+  command->add_flag("--json", options->json, "write the plan or the summary as JSON");
   command->footer(std::string(examples) + accuracy_help);
   command->callback([options, plan, accuracy, asked, keep_forces] {
     for (const CLI::Option* option : {asked, keep_forces})

@@ -113,18 +113,20 @@ int run(const Options& options) {
 void add_stability_command(CLI::App& app) {
   auto options = std::make_shared<Options>();
   CLI::App* command = app.add_subcommand("stability", "Maps of where methods fail, with the limits of theory");
-  command->add_option("MAP", options->maps, "Maps (default: all)");
-  command->add_option("--set", options->set, "How much to compute")
+  command->add_option("MAP", options->maps, "maps (default: all)");
+  command->add_option("--set", options->set, "how much to compute")
       ->check(CLI::IsMember({"quick", "full"}))
       ->capture_default_str();
-  command->add_option("--out", options->out, "Folder of trials/ and stability/")->capture_default_str();
-  command->add_option("--jobs", options->jobs, "Trials side by side, one thread each")
+  command->add_option("--out", options->out, "folder of trials/ and stability/")
+      ->type_name("DIR")
+      ->capture_default_str();
+  command->add_option("--jobs", options->jobs, "trials side by side, one thread each")
       ->check(above_zero())
       ->capture_default_str();
-  command->add_flag("--list", options->list, "Show the maps and their criteria");
-  command->add_flag("--no-run", options->no_run, "Compute nothing, draw what exists");
+  command->add_flag("--list", options->list, "show the maps and their criteria");
+  command->add_flag("--no-run", options->no_run, "compute nothing, draw what exists");
   command->add_flag("--publish", options->publish,
-                    "Write the boundaries to experiments/numerics/stability/results too");
+                    "write the boundaries to experiments/numerics/stability/results too");
   command->footer(examples);
   command->callback([options] {
     if (const int status = run(*options); status != 0) throw CLI::RuntimeError(status);

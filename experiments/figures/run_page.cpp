@@ -105,12 +105,8 @@ Plot track(const Scene& scene, const RunResult& result, const MeasuringRules& ru
   const auto fit = classification_of(drop, scene, rules);
   values.number("has_line", fit ? 1.0 : 0.0);
   if (fit) {
-    // The line through the mean of the points that it was fitted to: drawn where it meets the track.
-    const auto inside = std::ranges::find_if(drop.z, [&](double z) { return z < 0.5 * height_in_use(scene, result); });
-    const auto i = static_cast<std::size_t>(std::min(inside, std::prev(drop.z.end())) - drop.z.begin());
     values.number("velocity", fit->velocity);
-    values.number("through_time", drop.time[i]);
-    values.number("through_height", drop.z[i]);
+    values.number("intercept", fit->intercept);
     plot.text +=
         fmt::format(" Its classification velocity V_2 is {:.4g} m/s, R² {:.4f}.", fit->velocity, fit->r_squared);
   } else {

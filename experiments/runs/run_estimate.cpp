@@ -77,12 +77,26 @@ RunEstimate estimate_run(const Scene& scene, double fall) {
   estimate.exchange_steps = std::llround(spheres * (estimate.simulated_seconds - dry_seconds) / scene.fluid.time_step);
   estimate.cell_steps = std::llround(static_cast<double>(estimate.liquid_cells) *
                                      (estimate.simulated_seconds - settling_seconds) / scene.fluid.time_step);
+  const Coupling& coupling = scene.coupling;
+  if (scene.fluid.tier != FluidTier::quiescent && coupling.void_fraction == VoidFractionScheme::particle_meshing) {
+    const double steps_per_interval =
+        std::max(1.0, std::round(coupling.void_fraction_interval / scene.fluid.time_step));
+    estimate.piece_steps =
+        std::llround(coupling.meshing_pieces * static_cast<double>(estimate.exchange_steps) / steps_per_interval);
+  }
+  if (scene.fluid.pressure_velocity == PressureVelocity::simple && scene.fluid.tier == FluidTier::three_dimensional)
+    estimate.simple_steps = estimate.cell_steps;
+  if (coupling.disturbance_correction) estimate.disturbance_steps = estimate.exchange_steps;
+  if (coupling.added_mass > 0.0) estimate.added_mass_steps = estimate.exchange_steps;
   const CostPerCount cost;
   const std::int64_t loose_steps = estimate.particle_steps - estimate.dry_steps - estimate.packed_steps;
   estimate.core_seconds =
       cost.dry * static_cast<double>(estimate.dry_steps) + cost.packed * static_cast<double>(estimate.packed_steps) +
       cost.loose * static_cast<double>(loose_steps) + cost.exchange * static_cast<double>(estimate.exchange_steps) +
-      cost.cell * static_cast<double>(estimate.cell_steps);
+      cost.cell * static_cast<double>(estimate.cell_steps) + cost.piece * static_cast<double>(estimate.piece_steps) +
+      cost.simple * static_cast<double>(estimate.simple_steps) +
+      cost.disturbance * static_cast<double>(estimate.disturbance_steps) +
+      cost.added_mass * static_cast<double>(estimate.added_mass_steps);
   estimate.memory =
       bytes_at_least + bytes_per_sphere * spheres + bytes_per_cell * static_cast<double>(estimate.liquid_cells);
   return estimate;

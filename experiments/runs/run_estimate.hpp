@@ -19,9 +19,13 @@ struct RunEstimate {
   std::int64_t cell_steps = 0;      ///< liquid cells times liquid steps in simulated_seconds; the bed settles without
   std::int64_t dry_steps = 0;       ///< of the particle steps, those of a bed that settles without liquid
   std::int64_t packed_steps = 0;  ///< of the particle steps, those of a bed that settles in liquid or is not yet loose
-  std::int64_t exchange_steps = 0;  ///< spheres times the steps in which they feel the liquid
-  double memory = 0.0;              ///< that the run takes at the most, checkpoints included [bytes]
-  double core_seconds = 0.0;        ///< counts times the costs below [s]
+  std::int64_t exchange_steps = 0;     ///< spheres times the steps in which they feel the liquid
+  std::int64_t piece_steps = 0;        ///< pieces of particle meshing that are put into cells
+  std::int64_t simple_steps = 0;       ///< of the cell steps, those with SIMPLE
+  std::int64_t disturbance_steps = 0;  ///< of the exchange steps, those corrected for the spheres' own disturbance
+  std::int64_t added_mass_steps = 0;   ///< of the exchange steps, those with added mass
+  double memory = 0.0;                 ///< that the run takes at the most, checkpoints included [bytes]
+  double core_seconds = 0.0;           ///< counts times the costs below [s]
 };
 
 /// How long a dropped sphere is taken to fall when nothing is known about it [s].
@@ -32,10 +36,15 @@ inline constexpr double typical_fall = 3.0;
 /// 324 to 3600 spheres of 0.5 to 6.35 mm) and to the four of the profile paper-steps (liquid steps of 0.1 ms; an Intel
 /// Xeon), which count five times, of 1, 5 and 15 tried: they alone tell the cost of an exchange step from that of its
 /// ten or more particle steps. The machines were busy: CPU times scatter by some 15 %. 92 % of the runs of the fit lie
-/// within 30 %. Outside it: runs of other days took up to 2.3 times the estimate, corrected for the spheres' own
-/// disturbance up to seven times. `loose` is for the particle steps of a fluidised bed.
+/// within 30 %. Outside it: runs of other days took up to 2.3 times the estimate. `loose` is for the particle steps of
+/// a fluidised bed.
+///
+/// The second line has what some choices cost beside: differences of two runs of `slfb bench estimate` over their
+/// counts (200 spheres of 5 mm, Intel Xeon, 2026-12-01). SIMPLE took 155 ns a cell at a liquid step of 0.1 ms and 405
+/// at 1 ms.
 struct CostPerCount {
   double dry = 119.3e-9, packed = 51.2e-9, loose = 14.5e-9, cell = 220.4e-9, exchange = 353.0e-9;
+  double piece = 0.28e-9, simple = 250e-9, disturbance = 240e-9, added_mass = 125e-9;
 };
 
 /// A bed counts as packed up to this multiple of the minimum fluidisation velocity of Wen & Yu (1966): next to it most

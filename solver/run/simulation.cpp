@@ -5,10 +5,14 @@
 
 #include <algorithm>
 #include <chrono>
+#include <numbers>
 #include <stdexcept>
+#include <string>
 
 #include "solver/coupling/drag_relaxation.hpp"
 #include "solver/coupling/force_balance.hpp"
+#include "solver/coupling/late_reaction.hpp"
+#include "solver/laws/scene_file.hpp"
 #include "solver/laws/user_law.hpp"
 #include "solver/run/checkpoint_files.hpp"
 #include "solver/run/drop_protocol.hpp"
@@ -45,6 +49,7 @@ class Simulation {
   void warn_of_deep_overlaps();
   void release_if_free();
   void save();
+  [[nodiscard]] std::string late_reaction_hint() const;
   [[noreturn]] void fail(const std::exception& error);
   void exchange(io::StateGroup& state);
 
@@ -220,6 +225,30 @@ void Simulation::save() {
   last_save_ = std::chrono::steady_clock::now();
 }
 
+/// What follows where the spheres are too light for the liquid's answer, which is one step late.
+std::string Simulation::late_reaction_hint() const {
+  constexpr double packed_voidage = 0.4;
+  const double there = coupling::density_ratio_of_bed(scene_),
+               needed = coupling::least_density_ratio(scene_, packed_voidage);
+  if (!model_.liquid().two_way() || there >= needed) return {};
+  std::string settings, advice;
+  if (scene_.fluid.time_scheme == TimeScheme::second_order) {
+    settings += " with fluid.time_scheme = \"second-order\"";
+    advice += "; \"euler\" bears spheres a quarter as dense";
+  }
+  if (scene_.coupling.void_fraction_interval > scene_.fluid.time_step) {
+    settings += fmt::format(" with coupling.void_fraction_interval = {:g} s", scene_.coupling.void_fraction_interval);
+    advice += "; void fractions in each liquid step bear spheres a third as dense";
+  }
+  if (advice.empty())
+    advice = fmt::format("; a fluid.time_step of about a contact's duration, {:.2g} s, lets contacts hold the bed",
+                         std::numbers::pi * contact_time_step_bound(scene_));
+  return fmt::format(
+      "; the liquid answers the spheres one step late, which a packed bed without contacts bears only with spheres of "
+      "{:.3g} times the liquid's density{} (here {:.3g} times){}",
+      needed, settings, there, advice);
+}
+
 void Simulation::fail(const std::exception& error) {
   std::string saved;
   try {
@@ -237,6 +266,8 @@ void Simulation::fail(const std::exception& error) {
         scene_.fluid.time_step > relaxation)
       hint = fmt::format("; or a smaller fluid.time_step: drag stops a sphere of the packed bed within {:.2g} s",
                          relaxation);
+  // Of a law too: it is then asked at voidages below 0.
+  if (schedule_.stage().kind != StageKind::settle) hint += late_reaction_hint();
   throw std::runtime_error(fmt::format("{:.6g} s after the start of the run ({:.6g} s of fluidisation): {}{}; {}",
                                        result_.simulated_seconds, schedule_.fluidised_seconds(), error.what(), hint,
                                        saved));

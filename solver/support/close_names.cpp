@@ -29,4 +29,13 @@ std::vector<std::string> close_names(std::string_view word, std::vector<std::str
   return known;
 }
 
+std::string did_you_mean(std::string_view word, const std::vector<std::string>& known) {
+  if (word.empty() || known.empty()) return "";
+  const std::string nearest = close_names(word, known).front();
+  // A letter or two, or a third of a long word, or a part of the name.
+  const std::size_t most = std::max<std::size_t>(2, word.size() / 3);
+  if (nearest.find(word) == std::string::npos && edit_distance(word, nearest) > most) return "";
+  return "; did you mean " + nearest + "?";
+}
+
 }  // namespace slfb

@@ -14,4 +14,7 @@ std::size_t edit_distance(std::string_view a, std::string_view b);
 /// The three names nearest to `word`, those that contain it before the others.
 std::vector<std::string> close_names(std::string_view word, std::vector<std::string> known);
 
+/// "; did you mean NAME?" for the nearest name where it is near enough to have been meant, else nothing.
+std::string did_you_mean(std::string_view word, const std::vector<std::string>& known);
+
 }  // namespace slfb

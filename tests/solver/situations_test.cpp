@@ -101,6 +101,30 @@ class Situations : public testing::Test {
   Folder folder_;
 };
 
+TEST_F(Situations, ABedThatTheLiquidAnswersTooLateIsToldSo) {
+  const Overrides packed{"fluid.tier=three-dimensional", "fluid.cells_across=4",    "species[0].count=120",
+                         "stage[0].duration=0.3 s",      "stage[1].duration=50 ms", "fluid.time_step=0.1 ms"};
+  Overrides second = packed, rare = packed;
+  second.emplace_back("fluid.time_scheme=second-order");
+  rare.emplace_back("coupling.void_fraction_interval=2 ms");
+  const auto failure = [&](const Overrides& overrides) -> std::string {
+    try {
+      (void)run(parse_scene(box, "scene.toml", overrides));
+    } catch (const std::runtime_error& error) {
+      return error.what();
+    }
+    return "finished";
+  };
+  EXPECT_EQ(failure(packed), "finished");
+  // Four and nearly three times the ratio of solids to liquid, 1.5.
+  const std::string of_second = failure(second), of_rare = failure(rare);
+  EXPECT_NE(of_second.find("one step late"), std::string::npos) << of_second;
+  EXPECT_NE(of_second.find("6 times the liquid's density with fluid.time_scheme"), std::string::npos) << of_second;
+  EXPECT_NE(of_rare.find("4.35 times the liquid's density with coupling.void_fraction_interval = 0.002 s"),
+            std::string::npos)
+      << of_rare;
+}
+
 TEST_F(Situations, TimesAreWholeLiquidStepsOrRefused) {
   EXPECT_EQ(refusal(box), "valid");
   expect_refused(box, {"recording.snapshot_interval=0.2 ms"}, "recording.snapshot_interval");

@@ -97,6 +97,25 @@ Drawn draw_all(bool with_runs, const fs::path& folder) {
   return drawn;
 }
 
+/// Titles of axes that stand in a script as they are, up to their first subscript: "voidage" of 'voidage α_L [-]'.
+std::set<std::string> axis_titles(const std::string& script) {
+  static const std::regex line("(^|\n) *set [xy]label ['\"]([^'\"_^]+)");
+  std::set<std::string> titles;
+  for (std::sregex_iterator found(script.begin(), script.end(), line), end; found != end; ++found)
+    titles.insert((*found)[2]);
+  return titles;
+}
+
+/// Turned texts of an SVG of gnuplot that begin left of the picture. A letter reaches 0.75 of its size above its line.
+std::vector<std::string> cut_at_the_left(const std::string& picture) {
+  static const std::regex turned(
+      "translate\\(([-0-9.]+),[-0-9.]+\\) rotate\\(270\\)\"[^>]*font-size=\"([0-9.]+)\"[^>]*>\\s*<text>(.*)</text>");
+  std::vector<std::string> cut;
+  for (std::sregex_iterator found(picture.begin(), picture.end(), turned), end; found != end; ++found)
+    if (std::stod((*found)[1]) < 0.75 * std::stod((*found)[2])) cut.push_back((*found)[3]);
+  return cut;
+}
+
 class EveryFigure : public testing::TestWithParam<bool> {};
 
 TEST_P(EveryFigure, LeavesPicturesScriptDataAndWords) {
@@ -120,6 +139,10 @@ TEST_P(EveryFigure, LeavesPicturesScriptDataAndWords) {
     const std::string script = read(folder.path() / (output.id + ".gp"));
     EXPECT_EQ(script.find(folder.path().string()), std::string::npos) << "the script names no folder";
     const std::string picture = read(folder.path() / (output.id + ".svg"));
+    // gnuplot leaves out what would begin outside the picture.
+    for (const std::string& title : axis_titles(script))
+      EXPECT_NE(picture.find(escape_html(title)), std::string::npos) << output.id << " lost '" << title << "'";
+    EXPECT_EQ(cut_at_the_left(picture), std::vector<std::string>{}) << output.id;
     const bool says_missing = picture.find("ot yet simulated") != std::string::npos;
     const auto needed = figures()[i].needs(drawn.profile);
     const auto exists = [&](const std::string& key) {

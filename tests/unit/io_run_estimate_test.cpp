@@ -71,6 +71,23 @@ TEST(RunEstimate, CountsStepsByWhatTheSpheresDo) {
   EXPECT_GT(packed.core_seconds, loose.core_seconds);
 }
 
+TEST(RunEstimate, CountsWhatChoicesCostBeside) {
+  Scene scene = synthetic::scene(0.1);
+  const RunEstimate plain = estimate_run(scene);
+  EXPECT_EQ(plain.piece_steps + plain.simple_steps + plain.disturbance_steps + plain.added_mass_steps, 0);
+  scene.coupling.void_fraction = VoidFractionScheme::particle_meshing;
+  scene.coupling.meshing_pieces = 1214;
+  const RunEstimate meshing = estimate_run(scene);
+  // Each sphere's pieces are put into cells in each liquid step, or in every fourth.
+  EXPECT_EQ(meshing.piece_steps, 1214 * plain.exchange_steps);
+  scene.coupling.void_fraction_interval = 4.0 * scene.fluid.time_step;
+  EXPECT_NEAR(static_cast<double>(estimate_run(scene).piece_steps), 0.25 * static_cast<double>(meshing.piece_steps),
+              1.0);
+  scene.fluid.pressure_velocity = PressureVelocity::simple;
+  EXPECT_EQ(estimate_run(scene).simple_steps, plain.cell_steps);
+  EXPECT_GT(meshing.core_seconds, plain.core_seconds);
+}
+
 /// Estimated over measured CPU time of every fourth published run of one machine and day, with the falls as long as
 /// they were.
 std::vector<double> estimated_over_measured() {

@@ -7,12 +7,15 @@
 #include <limits>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 #include "experiments/numerics/bench/coupled_bench.hpp"
 #include "experiments/numerics/frontier/frontier_chart.hpp"
 #include "experiments/numerics/frontier/solved_study.hpp"
+#include "experiments/numerics/stability/map.hpp"
 #include "experiments/numerics/stability/map_chart.hpp"
 #include "experiments/numerics/studies/solved_set.hpp"
+#include "experiments/numerics/studies/trial.hpp"
 #include "solver/support/files.hpp"
 #include "tests/temporary_folder.hpp"
 
@@ -47,6 +50,23 @@ frontier::SolvedStudy small_study() {
                            point("bad", 10.0, 0.0, "gave up")};
   solved.reduced.reference["restitution"] = {0.9, 0.0036, 0.0, 0.004};
   return solved;
+}
+
+TEST(LateReaction, LightSpheresShakeBelowTheDensityThatTheoryGives) {
+  const auto growth = [](double ratio, const std::vector<std::string>& settings) {
+    studies::Trial trial{"late-reaction", settings, 0};
+    trial.settings.insert(trial.settings.end(), {"fluid.tier=three-dimensional", "problem.solids=0.5"});
+    const double limit = stability::theory_value("late-reaction", trial.scene(), trial.parameters());
+    trial.settings.push_back("problem.density_ratio=" + std::to_string(ratio * limit));
+    const studies::TrialResult result = studies::solve(trial);
+    EXPECT_EQ(result.failure, "");
+    return result.values.at("growth").value;
+  };
+  for (const std::vector<std::string>& settings :
+       {std::vector<std::string>{}, {"fluid.time_scheme=second-order"}, {"problem.interval_steps=2"}}) {
+    EXPECT_GT(growth(0.85, settings), 1.0) << (settings.empty() ? "first order" : settings.front());
+    EXPECT_LT(growth(1.15, settings), 1.0) << (settings.empty() ? "first order" : settings.front());
+  }
 }
 
 TEST(SolvedStudy, FindsPointsOnALogarithmicScale) {

@@ -121,7 +121,7 @@ TEST(FigurePages, ShowClaimsRunsAndDoubtsOfTheirFigureAlone) {
   for (const char* part :
        {"<strong>We measure</strong>", "by <strong>half</strong>", "1 of 2 simulations",
         "href=\"../runs/quick_lever.h5\"", "It is longer.",
-        "<td class=\"lead\" data-label=\"Paper\">3 m</td><td data-label=\"Here\">Lever of 2 m</td>",
+        "<td class=\"lead\" data-label=\"Here\">Lever of 2 m</td><td data-label=\"Paper\">3 m</td>",
         "<li>Not yet simulated: lever/0.20.</li>", "href=\"../laws/wen-yu-1966.html\"", "alt=\"How the lever rises.\"",
         "href=\"../claims.html#lever.rise\"", "build/slfb figures fig07 --profile quick", "width=\"300\""})
     EXPECT_NE(text.find(part), std::string::npos) << part;

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <nlohmann/json.hpp>
 #include <pugixml.hpp>
 #include <set>
@@ -35,6 +36,30 @@ TEST(RunPage, ShowsEveryPlotOfWhatWasRecorded) {
   for (const char* picture : {"heights.svg", "pressure.svg", "track.svg", "spheres.svg"})
     EXPECT_TRUE(pictures.contains(picture)) << picture;
   for (const std::string& picture : pictures) EXPECT_TRUE(fs::exists(page.parent_path() / picture)) << picture;
+}
+
+/// A number that a script of gnuplot sets.
+double number_in(const std::string& script, const std::string& name) {
+  const std::size_t place = script.find("\n" + name + " = ");
+  return place == std::string::npos ? std::nan("") : std::stod(script.substr(place + name.size() + 4));
+}
+
+TEST(RunPage, DrawsTheLineOfTheClassificationVelocityThroughTheTrack) {
+  const Folder folder;
+  const FinishedRun run = synthetic::runs(synthetic::profile()).front();
+  const fs::path page = write_run_page(run.scene, run.result, general_rules(), folder.path() / "page");
+  const std::string script = read_file(page.parent_path() / "track.gp");
+  const DropSeries& drop = run.result.drops.front();
+  // In the window of the fit the line lies on the track.
+  const auto [bottom, top] = run.scene.recording.fluctuation_window;
+  std::size_t inside = 0;
+  for (std::size_t i = 0; i < drop.z.size(); ++i) {
+    if (drop.z[i] < bottom || drop.z[i] > top) continue;
+    ++inside;
+    const double line = number_in(script, "intercept") - number_in(script, "velocity") * drop.time[i];
+    EXPECT_NEAR(line, drop.z[i], 0.1 * (top - bottom)) << drop.time[i] << " s";
+  }
+  EXPECT_GE(inside, 3u);
 }
 
 TEST(RunPage, SaysWhatWasNotRecorded) {

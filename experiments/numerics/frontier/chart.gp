@@ -24,7 +24,7 @@ do for [s=1:series_count] {
 }
 reason = 5  # column of the number of the reason of failure
 set multiplot layout page_rows, page_columns margins page_left, 0.97, page_bottom, page_top spacing 0.075, page_gap
-set key at screen 0.5, 0.985 center top vertical maxrows key_rows width 2 font ',12'
+set key at screen 0.5, 0.985 center top vertical maxrows key_rows font ',12' width (page_columns == 1 || format eq 'svg' ? -2 : 2)
 begin = 1
 do for [p=1:panel_title_count] {
   cost = panel_cost[p]

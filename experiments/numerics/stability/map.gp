@@ -35,7 +35,12 @@ do for [k=1:mark_x_count] {
 set label 300 'fails' at graph 0.985, graph (fails_high ? 0.96 : 0.04) right font ',12' textcolor rgb '#b0303c'
 set label 301 'holds' at graph 0.985, graph (fails_high ? 0.04 : 0.96) right font ',12' textcolor rgb '#3f7f5f'
 set bmargin 5 + key_rows
-set key at graph 0.5, character key_rows + 1.3 center top vertical maxrows key_rows Left reverse font ',11' width 2
+# gnuplot takes the titles to be longer than they are drawn, and leaves out a column that would not fit then.
+longest = 0
+do for [s=1:series_count] { longest = strlen(series_title[s]) > longest ? strlen(series_title[s]) : longest }
+do for [k=1:theory_count] { longest = strlen(theory_title[k]) > longest ? strlen(theory_title[k]) : longest }
+set key at screen 0.5, character key_rows + 1.3 center top vertical maxrows key_rows Left reverse font ',11' \
+  samplen 1.5 width (format eq 'svg' ? -0.35 : -0.12)*longest
 
 # gnuplot opens the first file even where a loop has nothing to do: that is $empty_list.
 # Bars first: they would take the points' middle away. Methods without a boundary keep their place in the key; an arrow

@@ -9,6 +9,7 @@
 #include "correlations/fluidisation/bed_expansion.hpp"
 #include "correlations/materials.hpp"
 #include "experiments/numerics/stability/map.hpp"
+#include "solver/coupling/late_reaction.hpp"
 #include "solver/dem/particles.hpp"
 #include "solver/laws/scene_drag_law.hpp"
 
@@ -59,6 +60,14 @@ const std::vector<std::pair<std::string, Formula>>& formulas() {
          const double slope = voidage * voidage * solids * heavier * gravitational_acceleration /
                               (faster - scene.liquid.superficial_velocity);
          return 2.0 / (slope * (1.0 / (voidage * liquid.density) + 1.0 / (solids * sphere.density)));
+       }},
+      // The liquid answers the spheres one step late.
+      {"late-reaction",
+       [](const Scene& scene, const studies::Parameters& parameters) {
+         Scene of_problem = scene;
+         of_problem.fluid.tier = FluidTier::three_dimensional;
+         of_problem.coupling.void_fraction_interval = parameters.at("interval_steps") * scene.fluid.time_step;
+         return coupling::least_density_ratio(of_problem, 1.0 - parameters.at("solids"));
        }},
       {"minimum-fluidisation",
        [](const Scene& scene, const studies::Parameters&) { return superficial_velocity(scene, 0.4); }},

@@ -23,7 +23,7 @@ panel_width = (0.99 - left_edge)/quantity_count
 do for [q=1:quantity_count] {
   set lmargin at screen left_edge + (q - 1)*panel_width
   set rmargin at screen left_edge + q*panel_width - 0.012
-  set title quantity[q] font ',12'
+  set title quantity[q] font ',13' offset 0,-0.4
   set xrange [0:end[q]]
   set xtics (end[q] > 20 ? 10 : end[q] > 10 ? 5 : end[q] > 5 ? 2 : 1)
   # The names of the changes stand at the first panel.

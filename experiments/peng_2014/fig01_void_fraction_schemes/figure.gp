@@ -67,7 +67,7 @@ set xtics autofreq
 set format x '10^{%L}'
 set xlabel 'CPU time per sphere [ns]'
 set yrange [lower:3]
-set ylabel 'root mean square error [-]' offset 0.8,0
+set ylabel 'root mean square error [-]' offset 1.8,0
 do for [m=1:method_count] {
   set label m method[m] at cost[m], above(error[m]) left offset 0.9,0.4 font ',11'
 }

@@ -12,7 +12,7 @@ set yrange [0:upper_height]
 scale = panel_width*width/0.05
 set tmargin at screen 1 - 34.0/height
 set bmargin at screen base + 56.0/height
-set ylabel 'height z [m]' offset 0.8,0
+set ylabel 'height z [m]' offset 1.5,0
 set label 3 'ours' at screen 0.012, screen base + 38.0/height font ',12' textcolor rgb ours
 set label 4 'paper' at screen 0.012, screen base + 16.0/height font ',12'
 set label 5 'U_L [m/s]' at screen 0.012, screen 1 - 17.0/height font ',12'

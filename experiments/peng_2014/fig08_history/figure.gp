@@ -31,7 +31,7 @@ do for [k=1:6] {
   set ytics step[k]
   if (k == 6) {
     set format x '%g'
-    set xlabel 'time since release [s]' offset 0,0.3
+    set xlabel 'time since release [s]' offset 0,0.7
   }
   if (simulated) {
     plot 'fig08_history.csv' skip 1 using 1:k+1 with lines linestyle 2 linewidth 1.3 notitle, \

@@ -14,7 +14,7 @@ middle = base + 0.5*(1 - base - 80.0/height)
 set tmargin at screen 1 - 92.0/height
 set bmargin at screen middle + 22.0/height
 set format x ''
-set ylabel "u'_L, vector [m/s]" offset 0.5,0
+set ylabel "u'_L, vector [m/s]" offset 1.4,0
 set key at screen 0.165, screen 1 - 8.0/height left top Left reverse font ',12'
 if (vector_count > 0) {
   plot @band title 'sharp rise in the paper', \
@@ -33,7 +33,7 @@ set tmargin at screen middle - 2.0/height
 set bmargin at screen base + 60.0/height
 set format x '%g'
 set xlabel 'voidage α_L [-]'
-set ylabel "u'_L, vertical [m/s]" offset 0.5,0
+set ylabel "u'_L, vertical [m/s]" offset 1.4,0
 unset key
 if (vertical_count > 0) {
   plot @band, \

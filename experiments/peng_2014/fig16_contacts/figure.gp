@@ -12,7 +12,7 @@ set bmargin at screen middle + 22.0/height
 set format x ''
 set logscale y
 set yrange [0.02:10]
-set ylabel 'mean contacts [-]' offset 1.6,0
+set ylabel 'mean contacts [-]' offset 1.9,0
 set key top right Left reverse font ',12'
 plot 'fig16_paper.csv' skip 1 using 1:2 with points linestyle 1 dashtype 1 title 'paper, printed', \
   for [i=1:mean_count] mean[i] skip 1 using 2:4:(half_width(3)):(half_width(5)) \
@@ -28,7 +28,7 @@ set xlabel 'voidage α_L [-]'
 unset logscale y
 set yrange [0:16]
 set ytics 4
-set ylabel 'most contacts [-]' offset 0.5,0
+set ylabel 'most contacts [-]' offset 1,0
 unset key
 plot 'fig16_paper.csv' skip 1 using 1:3 with points linestyle 1 dashtype 1, \
   for [i=1:most_count] most[i] skip 1 using 2:4:(half_width(3)):(half_width(5)) \

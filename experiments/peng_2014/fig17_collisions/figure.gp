@@ -42,7 +42,7 @@ set tmargin at screen middle - 12.0/height
 set bmargin at screen split + 52.0/height
 set format x '%g'
 set xlabel 'time since release [s]' offset 0,0.3
-set ylabel 'velocity [m/s]' offset 0.5,0
+set ylabel 'velocity [m/s]' offset 1.4,0
 set key bottom right horizontal font ',12'
 if (simulated) {
   set yrange [lowest - 0.25:*]
@@ -61,7 +61,7 @@ set xrange [0:0.23]
 set xtics 0.05
 set yrange [0.35:1.05]
 set ytics 0.2
-set xlabel 'superficial velocity U_L of NaI solution [m/s]'
+set xlabel 'superficial velocity U_L of NaI solution [m/s]' offset 0,0.7
 set ylabel 'voidage α_L [-]'
 set key top left vertical Left reverse font ',12'
 set arrow 1 from caption_velocity, graph 0 to caption_velocity, graph 1 nohead linestyle 1

@@ -35,7 +35,7 @@ do for [i=1:heading_count] {
     set format y ''
     unset ylabel
   }
-  if (row_of_panel == 2) { set xlabel 'time since entering the bed [s]' offset 0,0.4 }
+  if (row_of_panel == 2) { set xlabel 'time since entering the bed [s]' offset 0,0.8 }
   if (force[i] eq '') {
     plot lowest with lines linestyle 1 linewidth 0.8, highest with lines linestyle 1 linewidth 0.8
   } else {

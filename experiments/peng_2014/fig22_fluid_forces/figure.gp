@@ -13,7 +13,7 @@ set bmargin at screen middle + 22.0/height
 set format x ''
 set yrange [0:1.2]
 set ytics 0.2
-set ylabel 'drag over weight, |F_d|/mg [-]' offset 0.5,0
+set ylabel 'drag over weight, |F_d|/mg [-]' offset 1.6,0
 set key top left Left reverse font ',11' spacing 1.05
 plot 'fig22_mean_field_drag.csv' skip 1 using 1:2 with lines linestyle 11 title 'Gidaspow at V_2 of Table 2', \
   '' skip 1 using 1:3 with lines linestyle 12 title 'Wen and Yu at V_2 of Table 2', \
@@ -30,7 +30,7 @@ set format x '%g'
 set xlabel 'voidage α_L [-]'
 set yrange [0:0.3]
 set ytics 0.1
-set ylabel 'pressure gradient over weight [-]' offset 0.5,0
+set ylabel 'pressure gradient over weight [-]' offset 1.6,0
 set key bottom left Left reverse
 plot 'fig22_pressure_gradient.csv' skip 1 using 1:3 \
     with lines linestyle 13 title 'homogeneous bed, ρ_M/ρ_{P2}', \

@@ -1,5 +1,5 @@
 # Figure 26. Reads the list simulated: force over weight against Eq. 40 at the simulated voidage, one item per system.
-set key tmargin left vertical maxrows 5 Left reverse font ',11'
+set key tmargin left vertical maxrows 6 Left reverse font ',11'
 set xrange [0.3:1.1]
 set yrange [0.3:1.1]
 set xtics 0.2

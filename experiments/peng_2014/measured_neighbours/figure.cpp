@@ -135,7 +135,7 @@ FigureOutput draw(const FigureContext& context) {
                                  line.liquid_name, 1e3 * line.tube_diameter));
   values.texts("line", titles);
   values.texts("law", names);
-  draw_plot_of_runs("measured-neighbours", folder.plot(), values, {1040, 480}, context, keys);
+  draw_plot_of_runs("measured-neighbours", folder.plot(), values, {1240, 580}, context, keys);
   return output;
 }
 

@@ -7,10 +7,10 @@ set bmargin at screen base + 60.0/height
 set lmargin at screen 0.075
 set rmargin at screen 0.5
 set xrange [0.045:0.24]
-set yrange [0.35:0.95]
+set yrange [0.3:0.95]
 set xlabel 'U_L [m/s]'
 set ylabel 'voidage [-]'
-set key at graph 0.98, graph 0.03 right bottom Left reverse font ',11'
+set key at graph 0.99, graph 0.02 right bottom Left reverse font ',12' width (format eq 'svg' ? -10 : -3)
 curves = 'measured_neighbours_curves.csv'
 plot curves skip 1 using 1:5:6 with filledcurves fillcolor rgb '#dfe9f2' notitle, \
   curves skip 1 using 1:4 with lines linestyle 2 dashtype 2 title 'formula of the measured beds', \
@@ -32,7 +32,7 @@ set ytics scale 0 font ',11'
 do for [k=1:law_count] { set ytics add (law[k] k) }
 set grid noytics
 set arrow 1 from 0, graph 0 to 0, graph 1 nohead linecolor rgb paper linewidth 1
-set key at graph 0.98, graph 0.02 right bottom font ',11'
+set key at graph 0.98, graph 0.02 right bottom font ',12' width 0
 plot 'measured_neighbours_laws.csv' skip 1 using 2:1 with points linecolor rgb paper pointtype 6 title 'printed', \
   'measured_neighbours_laws.csv' skip 1 using 3:1 with points linestyle 3 title 'measured'
 unset multiplot

@@ -50,6 +50,13 @@ DataTable curve(const Study& study, const StudiedReading& reading, const std::st
   return table;
 }
 
+/// Place of the ", " that is nearest to the middle; npos if there is none.
+std::size_t comma_in_the_middle(const std::string& text) {
+  const std::size_t before = text.rfind(", ", text.size() / 2), after = text.find(", ", text.size() / 2);
+  if (before == text.npos || after == text.npos) return std::min(before, after);
+  return text.size() / 2 - before < after - text.size() / 2 ? before : after;
+}
+
 /// One sentence on the best reading, from the numbers.
 std::string summary(const Study& study) {
   if (study.readings.empty() || !study.readings.front().log10_evidence) return "Nothing has been ranked yet.";
@@ -112,7 +119,7 @@ FigureOutput draw(const FigureContext& outer) {
     const auto row = static_cast<double>(titles.size());
     const std::string title = study.choices.title_of(one.runs.reading);
     constexpr std::size_t one_line = 44;
-    const std::size_t comma = title.size() > one_line ? title.find(", ", title.size() / 2) : title.npos;
+    const std::size_t comma = title.size() > one_line ? comma_in_the_middle(title) : title.npos;
     titles.push_back(comma == title.npos ? title : title.substr(0, comma + 1));
     rest_of_titles.push_back(comma == title.npos ? "" : title.substr(comma + 2));
     ranking.rows.push_back({row, one.log10_evidence.value_or(none), one.assessment.calibration.value_or(none),
@@ -154,7 +161,7 @@ FigureOutput draw(const FigureContext& outer) {
   values.texts("number", number_titles);
   values.files("packed_curve", packed_tables);
   values.files("velocity_curve", velocity_tables);
-  draw_plot_of_runs("most-likely", folder.plot(), values, {1600, 820}, context, keys);
+  draw_plot_of_runs("most-likely", folder.plot(), values, {1240, 1230}, context, keys);
   return output;
 }
 

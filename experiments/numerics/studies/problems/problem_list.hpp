@@ -23,5 +23,6 @@ Problem fullest_cell_problem();
 Problem vortices_problem();
 Problem pressure_window_problem();
 Problem homogeneous_bed_problem();
+Problem late_reaction_problem();
 
 }  // namespace slfb::studies
