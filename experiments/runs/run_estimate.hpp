@@ -39,9 +39,9 @@ inline constexpr double typical_fall = 3.0;
 /// within 30 %. Outside it: runs of other days took up to 2.3 times the estimate. `loose` is for the particle steps of
 /// a fluidised bed.
 ///
-/// The second line has what some choices cost beside: differences of two runs of `slfb bench estimate` over their
-/// counts (200 spheres of 5 mm, Intel Xeon, 2026-12-01). SIMPLE took 155 ns a cell at a liquid step of 0.1 ms and 405
-/// at 1 ms.
+/// The second line has what some choices cost beside: differences of runs of a small box with and without each (200
+/// spheres of 5 mm, a busy Intel Xeon, 2026-12-01) over their counts; `slfb bench estimate` shows how far they are off
+/// on another machine. SIMPLE took 155 ns a cell at a liquid step of 0.1 ms and 405 at 1 ms.
 struct CostPerCount {
   double dry = 119.3e-9, packed = 51.2e-9, loose = 14.5e-9, cell = 220.4e-9, exchange = 353.0e-9;
   double piece = 0.28e-9, simple = 250e-9, disturbance = 240e-9, added_mass = 125e-9;
