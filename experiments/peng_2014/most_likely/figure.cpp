@@ -63,10 +63,17 @@ std::string summary(const Study& study) {
   const StudiedReading& best = study.readings.front();
   std::size_t left = 0;
   for (const StudiedReading& one : study.readings) left += one.log10_evidence && !one.assessment.ruled_out ? 1 : 0;
-  return fmt::format(
+  std::string text = fmt::format(
       "Of {} readings {} are not ruled out. Best: {}; {} of {} numbers of its drops lie inside their 95 % "
       "prediction interval.",
       study.readings.size(), left, study.choices.title_of(best.runs.reading), best.inside, best.tested);
+  // It has no packed line, so that it is not ranked.
+  const auto literal = std::ranges::find_if(
+      study.readings, [](const StudiedReading& one) { return one.name.ends_with("as-printed") && one.tested > 0; });
+  if (literal != study.readings.end())
+    text += fmt::format(" With the numerics as printed, one drop into each bed, {} of {} do.", literal->inside,
+                        literal->tested);
+  return text;
 }
 
 FigureOutput draw(const FigureContext& outer) {
