@@ -92,7 +92,8 @@ FigureOutput draw(const FigureContext& context) {
       "| what is refined | bed | quantity | finest | coarsest | what the levels say |\n"
       "|---|---|---|---|---|---|\n";
   std::vector<std::string> tables, names;
-  std::vector<double> kinds;
+  // Panels of cells, then of steps: the sequences that have a number there, by their place in the list.
+  std::vector<std::string> panels(2 * shown.size());
   std::set<std::string> lacking;
   for (std::size_t s = 0; s < sequences.size(); ++s) {
     const Sequence& sequence = sequences[s];
@@ -102,7 +103,10 @@ FigureOutput draw(const FigureContext& context) {
       output.data.push_back(write_csv(table, context.out));
       tables.push_back(table.name);
       names.push_back(sequence.title);
-      kinds.push_back(static_cast<double>(sequence.refined));
+      const std::size_t row = sequence.refined == Refined::cells ? 0 : 1;
+      for (std::size_t q = 0; q < shown.size(); ++q)
+        if (std::ranges::any_of(table.rows, [&](const auto& one) { return std::isfinite(one[1 + 2 * q]); }))
+          panels[row * shown.size() + q] += fmt::format("{} ", names.size());
     }
     if (table.rows.size() < 3)
       lacking.insert(
@@ -133,7 +137,7 @@ FigureOutput draw(const FigureContext& context) {
   PlotValues values;
   values.files("sequence", tables);
   values.texts("sequence_title", names);
-  values.numbers("kind", kinds);
+  values.texts("panel", panels);
   std::vector<std::string> quantity_titles;
   for (const Shown& quantity : shown) quantity_titles.emplace_back(quantity.title);
   values.markups("quantity", quantity_titles);
