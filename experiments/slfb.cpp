@@ -17,6 +17,7 @@
 #include "solver/scene/scene.hpp"
 #include "solver/support/close_names.hpp"
 #include "solver/support/commit.hpp"
+#include "solver/support/control_characters.hpp"
 
 namespace {
 
@@ -105,9 +106,8 @@ void set_up_messages() {
 std::string printable(std::string_view text) {
   std::string shown;
   for (const char letter : text) {
-    const auto code = static_cast<unsigned char>(letter);
-    const bool steers = (code < 0x20 && letter != '\n' && letter != '\t') || code == 0x7f;
-    shown += steers ? fmt::format("\\x{:02x}", code) : std::string(1, letter);
+    shown += is_control_character(letter) ? fmt::format("\\x{:02x}", static_cast<unsigned char>(letter))
+                                          : std::string(1, letter);
   }
   return shown;
 }

@@ -112,10 +112,8 @@ std::string springs_note(const std::vector<FinishedRun>& own_springs) {
     settings = fmt::format(" (profile {}: {}). Their settings: {}", own_springs.front().spec.profile,
                            fmt::join(keys, ", "), join(own_springs.front().spec.differences, " "));
   return "Contacts, collisions and single forces depend on the stiffness of the springs: with softer ones contacts "
-         "last "
-         "longer, with the root of mass over stiffness, and fewer collisions are counted. They are taken from runs "
-         "with "
-         "the springs of the source" +
+         "last longer, with the root of mass over stiffness, and fewer collisions are counted. They are taken from "
+         "runs with the springs of the source" +
          (settings.empty() ? std::string(": none yet.") : settings);
 }
 

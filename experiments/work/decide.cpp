@@ -92,10 +92,11 @@ class Planner {
   [[nodiscard]] std::vector<RunSpec> runs_of(const Claim& claim) const {
     std::vector<RunSpec> behind;
     std::set<std::string> keys;
+    const std::vector<RunSpec> runs = runs_for(work_, judgement_->shown);
     for (const auto& measures : {claim.measures, claim.other_measures})
       for (const MeasureKey& measure : measures) {
         if (!claim.needs_run(measure)) continue;
-        for (RunSpec& spec : runs_behind(measure, runs_for(work_, judgement_->shown), work_, judgement_->measurements))
+        for (RunSpec& spec : runs_behind(measure, runs, work_, judgement_->measurements))
           if (keys.insert(spec.profile + answered_by(spec)).second) behind.push_back(std::move(spec));
       }
     return behind;

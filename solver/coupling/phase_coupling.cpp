@@ -14,6 +14,9 @@
 namespace slfb::coupling {
 namespace {
 
+/// How far a sphere's shares, or its own volume put back, may miss 1 by rounding [-].
+constexpr double rounding_of_shares = 1e-9;
+
 bool is_file(const std::string& law) { return law.ends_with(".cpp"); }
 
 using WallLaw = double (*)(double diameter_ratio);
@@ -160,8 +163,10 @@ void PhaseCoupling::read_at_spheres(const dem::Engine& engine, double time_step)
         for (std::size_t a = 0; a < 3; ++a) velocity_correction_[a][i] = u[a] - value[CellValues::velocity_x + a];
       const double x = u[0] - particles.velocity.x[i], y = u[1] - particles.velocity.y[i],
                    z = u[2] - particles.velocity.z[i];
-      // Sums of shares round; a law may take a root of what is left for the spheres.
-      voidage_[i] = std::min(value[CellValues::voidage], 1.0);
+      // Sums of shares round; a law may take a root of what is left for the spheres. What a gradient (Eq. 30 of Peng
+      // 2014) extrapolates beyond 1 stays: the law's range tells of it.
+      voidage_[i] = value[CellValues::voidage];
+      if (voidage_[i] > 1.0 && voidage_[i] < 1.0 + rounding_of_shares) voidage_[i] = 1.0;
       // Equation (25)
       reynolds_[i] = density * 2.0 * particles.radius[i] * voidage_[i] * std::sqrt(x * x + y * y + z * z) / viscosity;
     }

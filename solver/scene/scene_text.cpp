@@ -20,6 +20,7 @@
 #include "solver/scene/scene_description.hpp"
 #include "solver/scene/size_distribution.hpp"
 #include "solver/support/close_names.hpp"
+#include "solver/support/control_characters.hpp"
 
 namespace slfb::description {
 namespace {
@@ -86,13 +87,9 @@ class Reader {
     const toml::node* node = look_up(key, presence, "a text in quotes");
     if (node == nullptr) return;
     const auto found = node->value_exact<std::string>();
-    // Such as the escape that begins a command to a terminal.
-    const auto steers = [](unsigned char letter) {
-      return (letter < 0x20 && letter != '\n' && letter != '\t') || letter == 0x7f;
-    };
     if (!found) {
       wrong_type(key, *node, "a text in quotes");
-    } else if (std::ranges::any_of(*found, steers)) {
+    } else if (std::ranges::any_of(*found, is_control_character)) {
       problems_.add(path(key), "", "has a control character; allowed is text");
     } else {
       value = *found;
