@@ -106,8 +106,8 @@ void set_up_messages() {
 std::string printable(std::string_view text) {
   std::string shown;
   for (const char letter : text) {
-    shown += is_control_character(letter) ? fmt::format("\\x{:02x}", static_cast<unsigned char>(letter))
-                                          : std::string(1, letter);
+    shown += slfb::is_control_character(letter) ? fmt::format("\\x{:02x}", static_cast<unsigned char>(letter))
+                                                : std::string(1, letter);
   }
   return shown;
 }
